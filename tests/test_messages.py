@@ -321,9 +321,23 @@ def test_what_is_being_loaded_is_a_thing() -> None:
             )
 
 
-def test_numbers_are_said_whole_and_ungrouped_unless_the_sentence_asks() -> None:
+def test_numbers_are_said_whole_and_ungrouped_unless_they_are_counts() -> None:
     assert messages.say("said", {"sentence": 123456}) == "123456"
     assert messages.say("said", {"sentence": 0.000125}) == "0.000125"
+
+
+@pytest.mark.parametrize("language", messages.languages())
+def test_counts_of_five_digits_stand_apart_by_a_narrow_space(language: str) -> None:
+    counted = {"count": 12345, "all": 1234567}
+    told = messages.say("overview-scans-accepted", counted, language)
+    assert re.findall("[0-9\u202f]+[0-9]", told) == ["12\u202f345", "1\u202f234\u202f567"]
+    few = messages.say("overview-scans-accepted", {"count": 1234, "all": 9999}, language)
+    assert re.findall("[0-9]+", few) == ["1234", "9999"]
+    # a frame is no count
+    assert "12345" in messages.say("video-frame-changed", {"n": 12345}, language)
+    gap = messages.say("stream-clock-set", {"jump_s": 12345.5, "lines": 10000}, language)
+    assert re.search("12\u202f345[.,]5 ", gap) and " 10000" in gap
+    assert (messages.write_count(9999), messages.write_count(10000)) == ("9999", "10\u202f000")
 
 
 @pytest.mark.parametrize(

@@ -268,7 +268,7 @@ def clips() -> Iterator[Row]:
             decoding = best_s(lambda p=path: sum(1 for _ in frames_of(p)), 2)
 
             def solve(path: Path = path, camera: Camera = camera) -> RoadPose:
-                frames, mean = pose_detections([path], camera, BOARD)
+                frames, mean, _ = pose_detections([path], camera, BOARD)
                 return pose_from_corners(camera, frames, BOARD, Reference("top", 1.5, 0.0, 0.0), mean)
 
             pose = solve()

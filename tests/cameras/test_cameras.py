@@ -11,7 +11,6 @@ import pytest
 
 from sightline.cameras.calibrations import images
 from sightline.cameras.calibrations.calibrating import CalibrationRequest, frames_of
-from sightline.cameras.store import list_calibration_images
 from sightline.errors import Away
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
@@ -110,37 +109,41 @@ def test_removing_an_image(operator: Client, camera_id: int, work: Work) -> None
 
 
 def test_an_image_removed_while_its_twin_is_added_leaves_the_file(
-    operator: Client, camera_id: int, work: Work, monkeypatch: pytest.MonkeyPatch
+    operator: Client, camera_id: int, services: Services, work: Work, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     content = picture_bytes(view(POSES[0]))
-    first, put = drop(operator, camera_id, content).json(), images.put_bytes
+    first, put_file = drop(operator, camera_id, content).json(), LocalStore.put_file
     removed = list[bool]()
 
-    def meanwhile(services: Services, content: bytes, suffix: str) -> str:
-        key = put(services, content, suffix)
+    def meanwhile(store: LocalStore, key: str, path: Path, **how: bool) -> None:
+        put_file(store, key, path, **how)
         if not removed:
             removed.append(True)
             images.remove_image(services, first["id"], None)
-            assert [job.state for job in work()] == ["done"] and not services.media.exists(key)
-        return key
+            assert [job.state for job in work()] == ["done"] and not store.exists(key)
 
-    monkeypatch.setattr(images, "put_bytes", meanwhile)
+    monkeypatch.setattr(LocalStore, "put_file", meanwhile)
     second = drop(operator, camera_id, content).json()
     assert operator.http.get(first["url"]).status_code == 404
     assert operator.http.get(second["url"]).status_code == 200
 
 
-def test_a_store_that_goes_away_behind_the_row_adds_no_image_twice(
-    operator: Client, camera_id: int, services: Services, monkeypatch: pytest.MonkeyPatch
+def test_an_image_is_stored_only_where_the_store_says_that_its_file_is_there(
+    operator: Client, camera_id: int, services: Services, work: Work, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def away(store: LocalStore, key: str) -> bool:
         raise Away("store-no-answer", key=key, name="Timeout")
 
-    monkeypatch.setattr(type(services.media), "exists", away)
-    answer = drop(operator, camera_id, picture_bytes(view(POSES[0])))
-    assert answer.status_code == 201
-    with services.reading() as session:
-        assert [one.id for one in list_calibration_images(session, camera_id)] == [answer.json()["id"]]
+    content = picture_bytes(view(POSES[0]))
+    with monkeypatch.context() as outage:
+        outage.setattr(LocalStore, "exists", away)
+        answer = drop(operator, camera_id, content)
+    assert answer.status_code == 503 and "did not answer" in error_of(answer)
+    assert operator.seen(f"/cameras/{camera_id}")["images"] == []
+    assert [job.kind for job in work()] == ["tidy"] and not list(services.media.listing())
+    kept = drop(operator, camera_id, content).json()
+    assert [one["id"] for one in operator.seen(f"/cameras/{camera_id}")["images"]] == [kept["id"]]
+    assert operator.http.get(kept["url"]).status_code == 200 and not work()
 
 
 def test_nobody_waits_to_write_while_an_image_goes_to_the_store(

@@ -418,6 +418,21 @@ def test_pose_reads_the_track_that_is_asked_for(camera_file, tmp_path, capsys) -
     assert not out.exists()
 
 
+def test_a_picture_given_twice_to_pose_counts_once(camera_file, still, tmp_path, capsys) -> None:
+    """As two frames it would lose the warning that there is one alone."""
+    copy, out = tmp_path / "copy.bmp", tmp_path / "pose.json"
+    cv2.imwrite(str(copy), cv2.imread(str(still), cv2.IMREAD_UNCHANGED))
+    given = ("--camera", camera_file, *BOARD, "--reference-height", 1.5, "-o", out, "--json")
+    found = []
+    for pictures in ((still,), (still, still, copy)):
+        assert run("pose", *pictures, *given) == 0
+        found.append(json.loads(capsys.readouterr().out))
+    once, twice = found
+    assert twice["frames_used"] == once["frames_used"] == 1 and twice["covariance"] == once["covariance"]
+    same = f"is the same image as {still.name}; it counts once."
+    assert twice["warnings"] == [f"{still.name} {same}", f"{copy.name} {same}", *once["warnings"]]
+
+
 def test_pose_refusals(camera_file, still, tmp_path, capsys) -> None:
     small = tmp_path / "small.png"
     cv2.imwrite(str(small), np.full((240, 320), 90, np.uint8))

@@ -22,7 +22,8 @@ from tests.simulation.scan_traffic import ScanSite, ScanTruth, traffic, truths
 pytestmark = pytest.mark.once
 
 SITE = ScanSite(rows=128, misalignment_px=0.4)
-RIG = ("--baseline", str(SITE.baseline_m), "--line-rate", str(SITE.line_rate_hz), "--u-baseline", "0.0005")
+KNOWN = ("--u-baseline", "0.0005", "--u-line-rate", "1e-6")
+RIG = ("--baseline", str(SITE.baseline_m), "--line-rate", str(SITE.line_rate_hz), *KNOWN)
 
 
 @dataclass(frozen=True)
@@ -113,6 +114,9 @@ def test_a_calibrated_rig_with_lanes_measures_each_in_its_own(
     ):
         file.write_text(json.dumps(wrong))
         assert "is not a rig" in said_by(capsys, *given, status=2)
+    for beyond in ({"baseline_m": 10**400}, {"lanes": [{**near, "distance_m": 10**400}]}):
+        file.write_text(json.dumps({**rig, **beyond}))
+        assert "of inf m is out of range" in said_by(capsys, *given, status=2)
     file.write_text(json.dumps({**rig, "lanes": [near, near]}))
     assert "a name of its own" in said_by(capsys, *given, status=2)
 
@@ -139,6 +143,8 @@ def test_json_holds_the_table_and_the_budget(road: Road, capsys: pytest.CaptureF
         total = np.sqrt(sum(entry["u_speed_mps"] ** 2 for entry in one["budget"]))
         assert one["u_speed_mps"] == pytest.approx(total, rel=1e-6)
     assert said["vehicles"][0]["gap_reason"] and said["vehicles"][1]["headway_s"] > 0
+    unsure = json.loads(said_by(capsys, *road.files, *RIG[: -len(KNOWN)], "--json"))
+    assert [note[note.index("(--") :] for note in unsure["notes"]] == ["(--u-baseline).", "(--u-line-rate)."]
 
 
 def test_with_a_start_every_vehicle_has_its_time_of_day(
@@ -165,6 +171,17 @@ def test_with_a_start_every_vehicle_has_its_time_of_day(
     unsure = json.loads(said_by(capsys, *road.files, *RIG, *options[:2], "--json"))
     assert any("--u-start" in note for note in unsure["notes"]) and said["notes"] == []
     assert {one["u_front_at_s"] for one in unsure["vehicles"]} == {None}
+
+
+def test_notes_of_a_recorder_with_a_rate_beyond_every_number_are_refused(
+    road: Road, capsys: pytest.CaptureFixture[str]
+) -> None:
+    notes = Path(f"{road.files[0]}.json")
+    notes.write_text(json.dumps({"line_rate_hz": 10**400}))
+    try:
+        assert "line_rate_hz" in said_by(capsys, *road.files, *RIG, status=2)
+    finally:
+        notes.unlink()
 
 
 def test_swapped_strips_are_recognised(road: Road, capsys: pytest.CaptureFixture[str]) -> None:

@@ -24,6 +24,7 @@ from sightline.media.lines.piped import PipedLines
 from sightline.media.lines.source import Ending
 from sightline.media.strips.sheet import Pixels
 from sightline.media.strips.spool import SpooledLines
+from sightline.messages import write_count
 from tests.simulation.scan_strips import strips
 from tests.simulation.scan_traffic import ScanSite, traffic
 from tests.support.waiting import until
@@ -31,7 +32,8 @@ from tests.support.waiting import until
 pytestmark = pytest.mark.once
 
 SITE = ScanSite(rows=64, misalignment_px=0.3)
-RIG = ("--baseline", str(SITE.baseline_m), "--line-rate", str(SITE.line_rate_hz), "--u-baseline", "0.0005")
+KNOWN = ("--u-baseline", "0.0005", "--u-line-rate", "1e-6")
+RIG = ("--baseline", str(SITE.baseline_m), "--line-rate", str(SITE.line_rate_hz), *KNOWN)
 STREAM = ("stream", "--rows", str(SITE.rows), *RIG)
 
 
@@ -103,7 +105,7 @@ def test_vehicles_are_those_of_the_files_and_the_lines_are_kept(
     assert live == batch
     kept = sorted((tmp_path / "spool").glob("0*"))
     assert [path.name for path in kept] == ["0001-camera-1.tif", "0001-camera-2.tif", "0001.jsonl"]
-    assert f"{len(pixels[0])} lines are stored in {kept[0]}." in said
+    assert f"{write_count(len(pixels[0]))} lines are stored in {kept[0]}." in said
     kept = kept[:2]
     for path, strip in zip(kept, pixels, strict=True):
         assert np.array_equal(tifffile.imread(path), strip)
@@ -136,7 +138,7 @@ def test_each_vehicle_is_told_while_the_stream_goes_on(pixels: tuple[Pixels, Pix
         said = live.stderr.read().decode()
     assert live.returncode == 0, said
     assert [one["id"] for one in rest] == [2, 3]
-    assert f"{len(pixels[0])} lines are stored in" in said, "those that lay in the pipe too"
+    assert f"{write_count(len(pixels[0]))} lines are stored in" in said, "those that lay in the pipe too"
 
 
 def lines_at_the_end(source: int) -> int:

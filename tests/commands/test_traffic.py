@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+from datetime import datetime, timedelta
 from pathlib import Path
 from statistics import harmonic_mean
 
@@ -81,6 +82,51 @@ def test_u_of_a_start_is_that_of_the_recording_unless_another_is_given(
     path.write_text(json.dumps(told))
     said_by(capsys, "add", str(folder), str(path), *PLACE, *given)
     assert {row["u_start_s"] for row in watched_rows(folder, None)} == {u_s}
+
+
+@pytest.mark.parametrize(
+    ("start", "u_s", "contradicts"),
+    [
+        ("2026-05-04T07:00:00.000+02:00", 0.02, True),
+        ("2026-05-04T04:00:02.500+00:00", 0.02, True),
+        ("2026-05-04T04:00:02.500+00:00", 2.0, False),
+        ("2026-05-04T06:00:00.400+02:00", 0.02, False),
+        (None, 0.0, False),
+    ],
+)
+def test_a_start_that_contradicts_that_of_the_recording_is_told(
+    recording: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    start: str | None,
+    u_s: float,
+    contradicts: bool,
+) -> None:
+    path = tmp_path / "told.json"
+    path.write_text(json.dumps(json.loads(recording.read_text()) | {"start": start, "u_start_s": u_s}))
+    said = said_by(capsys, "add", str(tmp_path / "archive"), str(path), *PLACE)
+    assert (f"told.json states the start {start}, but 2026-05-04T0" in said) is contradicts
+
+
+def test_lines_of_a_stream_tell_their_start_by_their_times(
+    recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    vehicles = json.loads(recording.read_text())["vehicles"]
+    for hour, told in (("05", True), ("06", False)):
+        path, begun = tmp_path / f"{hour}.jsonl", datetime.fromisoformat(f"2026-05-04T{hour}:00:00+02:00")
+        rows = [
+            one
+            | {
+                "front_at": (begun + timedelta(milliseconds=round(1000 * one["front_s"]))).isoformat(
+                    timespec="milliseconds"
+                )
+            }
+            for one in vehicles
+        ]
+        path.write_text("\n".join(map(json.dumps, rows)))
+        given = (str(tmp_path / hour), str(path), *PLACE, "--duration", "3600", "--json")
+        notes = json.loads(said_by(capsys, "add", *given))["notes"]
+        assert [f"states the start 2026-05-04T{hour}" in one for one in notes] == [True] * told
 
 
 @pytest.mark.parametrize(

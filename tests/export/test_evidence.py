@@ -435,6 +435,21 @@ def test_what_is_of_another_kind_is_found_and_nothing_breaks(
             checked(file["html"].replace(text[1], other, 1))
 
 
+def test_a_part_of_another_kind_is_named_in_words(viewer: Client, scan: dict[str, Any]) -> None:
+    file = made(viewer, vehicles(viewer, scan)[1], SPEED)
+    document = document_of(file)
+
+    def named(part: str, value: object) -> set[str]:
+        found = checked(signed_again(file, {**document, part: value}, None))
+        return {name for one in found.problems for name in re.findall("^The part “(.+)” cannot be read", one)}
+
+    assert named("pictures", 1) == {"images"}
+    assert named("audit", 1) == {"audit events"}
+    assert named("keys", 1) == {"signature and keys"}
+    assert named("decision", 1) == {"decision", "sentences in other languages"}
+    assert {"derived values", "measured values"} <= named("measurement", 1)
+
+
 def test_pictures_page_and_form_are_bound(viewer: Client, scan: dict[str, Any]) -> None:
     file = made(viewer, vehicles(viewer, scan)[1], None)
     html: str = file["html"]

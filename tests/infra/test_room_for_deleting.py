@@ -19,8 +19,9 @@ from sightline.infra.web import ballast
 from sightline.infra.web.ballast import Ballast, try_to_write
 from sightline.media.store.local import LocalStore
 from sightline.media.store.s3 import StorageAway
+from sightline.messages.said import Said
 from sightline.recordings import tidy_job
-from tests.support.app import TUS, Client
+from tests.support.app import TUS, Client, upload
 from tests.support.boards import picture_bytes
 from tests.support.scanning_ground import RIG, upload_strip, uploads
 
@@ -112,13 +113,34 @@ def test_what_is_deleted_while_the_store_is_away_loses_its_files_when_it_is_back
     assert len({id(one) for one in asked}) == len(asked) == 5  # nobody waits for more than one to be deleted
 
 
-def test_nobody_cancels_the_deletion_of_files(admin: Client, recording_id: int, services: Services) -> None:
+def test_nobody_cancels_the_deletion_of_files(admin: Client, recording_id: int) -> None:
     """What they are would be known by nobody else."""
     assert admin.delete(f"/recordings/{recording_id}").status_code == 204
     (waiting,) = admin.seen("/jobs?state=queued")
+    assert waiting["cancellable"] is False
     answer = admin.post(f"/jobs/{waiting['id']}/cancel")
     assert (answer.status_code, answer.json()["error"]["code"]) == (409, "jobs-not-to-be-cancelled")
     assert admin.seen(f"/jobs/{waiting['id']}")["state"] == "queued"
+
+
+def test_deletions_of_files_are_listed_until_they_are_done(
+    operator: Client, survey_id: int, clip: Path, services: Services, work: Work
+) -> None:
+    """Many of them would push off the list what people asked for."""
+    asked = [upload(operator, survey_id, clip, name) for name in ("a.mp4", "b.mp4")]
+    assert [one["cancellable"] for one in operator.seen("/jobs")] == [True, True]
+    work()
+    assert [one["cancellable"] for one in operator.seen("/jobs")] == [False, False]
+    for recording_id in asked:
+        assert operator.delete(f"/recordings/{recording_id}").status_code == 204
+    assert [one["kind"] for one in operator.seen("/jobs")] == ["tidy", "tidy", "ingest", "ingest"]
+    (done, failed) = work()
+    with services.writing() as session:
+        change = {"state": "failed", "error": Said("database-disk-full"), "result": None}
+        session.execute(update(jobs).where(jobs.c.id == failed.id).values(change))
+    assert [one["kind"] for one in operator.seen("/jobs")] == ["tidy", "ingest", "ingest"]
+    assert [one["id"] for one in operator.seen("/jobs?state=failed")] == [failed.id]
+    assert operator.seen(f"/jobs/{done.id}")["state"] == "done"
 
 
 def test_ready_tries_to_write(nobody: Client, services: Services, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,6 +1,7 @@
 """Resumable uploads: whole, broken, killed, twice, too large, not a video."""
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +17,8 @@ from sightline.infra.stored_bytes import suffix_of
 from sightline.infra.web.uploaded import clean_name
 from sightline.media.store import local, upload_parts
 from sightline.media.store.s3 import StorageAway
+from sightline.media.video.ingest import Ingested
+from sightline.recordings import ingest_job
 from sightline.recordings.ingest_job import remove_recording
 from sightline.recordings.uploads import service
 from sightline.recordings.uploads.store import get_upload
@@ -231,7 +234,7 @@ def test_a_store_that_is_away_behind_the_last_byte_leaves_the_upload_to_be_finis
         assert send(operator, location, 0, content).status_code == 503
     assert operator.seen(f"/surveys/{survey_id}/recordings") == []
     taken = int(send(operator, location, len(content), b"").headers["Sightline-Recording"])
-    assert [job.state for job in work()] == ["done"]
+    assert {(job.kind, job.state) for job in work()} == {("ingest", "done"), ("tidy", "done")}
     assert operator.get(f"/recordings/{taken}/frames/3.jpg").status_code == 200
     assert not list(service.upload_folder(services).glob("upload-*"))
 
@@ -302,6 +305,46 @@ def test_a_twin_that_cannot_be_read_takes_nothing_from_what_was(
     assert [job.state for job in work()] == ["failed"]
     thumb = operator.seen(f"/recordings/{one}")["thumbs"][0]["url"]
     assert operator.http.get(thumb).status_code == 200
+
+
+@pytest.mark.once
+def test_a_thumbnail_that_a_twins_reading_left_out_is_said_to_be_missing(
+    operator: Client, survey_id: int, clip: Path, work: Work, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    one, pack = upload(operator, survey_id, clip), ingest_job.pack_thumbnails
+    work()
+    first, *_, last = (thumb["url"] for thumb in operator.seen(f"/recordings/{one}")["thumbs"])
+
+    def pack_first(folder: Path, found: Ingested) -> Path:
+        return pack(folder, replace(found, thumbnails=found.thumbnails[:1]))
+
+    monkeypatch.setattr(ingest_job, "pack_thumbnails", pack_first)
+    upload(operator, survey_id, clip, "copy.mp4")
+    work()
+    assert operator.http.get(first).status_code == 200
+    answer = operator.http.get(last)
+    assert answer.status_code == 404 and "has no thumbnail" in error_of(answer)
+
+
+@pytest.mark.once
+def test_a_recording_that_is_not_noted_leaves_no_file_when_its_upload_is_given_up(
+    operator: Client,
+    survey_id: int,
+    clip: Path,
+    services: Services,
+    work: Work,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def full(*_given: object, **_more: object) -> None:
+        raise NoRoom("database-disk-full")
+
+    content = clip.read_bytes()
+    location = announce(operator, survey_id, "a.mp4", len(content)).headers["Location"]
+    monkeypatch.setattr(service, "create_recording", full)
+    assert send(operator, location, 0, content).status_code == 507
+    assert len(list(services.media.listing())) == 1
+    assert operator.http.delete(location, headers=TUS).status_code == 204
+    assert [job.kind for job in work()] == ["tidy"] and not list(services.media.listing())
 
 
 @pytest.mark.once

@@ -1,22 +1,27 @@
 """Photographs of the set-up: taken in as plain JPEGs, in order, with undo; in the package, vouched for."""
 
 import io
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 from PIL import Image
 
+from sightline.errors import NoRoom
 from sightline.export.verify.package import verify_package
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.csv_package.schema import sha256_hex
+from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
+from sightline.surveys.photographs import service
 from tests.support.app import Client, error_of
 from tests.support.packages import drop, edit, ground, package, photograph, rederive, rows, worked, written
 
 __all__ = ["ground", "package", "worked"]
 
 pytestmark = pytest.mark.once
+Work = Callable[[], list[Job]]
 _ORIENTATION, _GPS, _LATITUDE = 0x0112, 0x8825, 2
 
 
@@ -112,6 +117,28 @@ def test_a_file_that_is_gone_is_named(
         path.unlink()
     answer = operator.get(made["url"].removeprefix("/api"))
     assert answer.status_code >= 400 and "“rig.jpg” is missing" in error_of(answer)
+
+
+def test_a_photograph_that_is_not_noted_leaves_no_file_and_may_be_sent_again(
+    operator: Client, services: Services, survey_id: int, work: Work, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_given: object, **_more: object) -> None:
+        raise NoRoom("database-disk-full")
+
+    path, file = f"/surveys/{survey_id}/photographs", {"file": ("rig.jpg", told_bytes())}
+    key = {"Idempotency-Key": "once"}
+    with monkeypatch.context() as filled:
+        filled.setattr(service, "add_photograph", full)
+        refused = operator.post(path, files=file, headers=key)
+    assert (refused.status_code, refused.json()["error"]["code"]) == (507, "database-disk-full")
+    assert len(list(services.media.listing())) == 1
+    assert [(job.kind, job.state) for job in work()] == [("tidy", "done")]
+    assert not list(services.media.listing())
+    assert operator.post(path, files=file, headers=key).status_code == 201
+    with monkeypatch.context() as filled:
+        filled.setattr(service, "add_photograph", full)
+        assert operator.post(path, files=file).status_code == 507
+    assert not work() and len(list(services.media.listing())) == 1  # the one before has the same content
 
 
 def exchanged(place: Path) -> str:

@@ -1,6 +1,7 @@
 """Pictures and clips of a checkerboard, read for the command line's `calibrate` and `pose`."""
 
 from collections.abc import Callable, Iterator, Sequence
+from hashlib import sha256
 from pathlib import Path
 from time import perf_counter
 
@@ -90,20 +91,26 @@ def calibration_views(
 
 def pose_detections(
     paths: Sequence[Path], camera: Camera, board: Board, stream_number: int | None = None
-) -> tuple[list[Corners], NDArray[np.float64] | None]:
-    """The board in every picture or frame, in time order, found once and then followed; and the mean
-    picture of the frames in which it stood still.
+) -> tuple[list[Corners], NDArray[np.float64] | None, tuple[Said, ...]]:
+    """The board in every picture or frame, in time order, found once and then followed; the mean picture of
+    the frames in which it stood still; and which files hold pictures of one before, which count once.
 
     A span without the board is searched for a bounded time. Raises BadInput where a picture has another
     size than the camera's.
     """
+    seen, twice = dict[bytes, int](), dict[int, Said]()
     detections: list[Corners] = []
     last: Corners | None = None
     mean = MeanPicture()
     searched_s = 0.0
-    for path in paths:
+    for number, path in enumerate(paths):
         for name, gray in pictures_of(path, early_frames, stream_number):
             require_size(camera, gray.shape[1], gray.shape[0], name)
+            before = seen.setdefault(sha256(gray.tobytes()).digest(), number)
+            if before != number:
+                # counted again it would make the pose look better known than it is
+                twice[number] = Said("pose-image-twice", name=path.name, file=paths[before].name)
+                continue
             corners = not_found(board, Said("board-search-stopped")) if last is None else track(gray, last)
             if not corners.found and searched_s < SEARCH_S:
                 started = perf_counter()
@@ -113,4 +120,4 @@ def pose_detections(
             if corners.found:
                 last = corners
                 mean.add(gray, corners)
-    return detections, mean.result()
+    return detections, mean.result(), tuple(twice.values())

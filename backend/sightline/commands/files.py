@@ -5,6 +5,7 @@ import errno
 import io
 import json
 import os
+import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -54,11 +55,17 @@ def read_json(path: Path, what: str) -> Any:
     """A JSON file. Raises BadInput naming the file."""
     text = read_text(path, what)
     try:
-        return json.loads(text, object_pairs_hook=single_keys)
+        return json.loads(text, object_pairs_hook=single_keys, parse_int=_whole_number)
     except WrittenTwice as twice:
         raise BadInput("geometry-key-written-twice", file_name=path, key=str(twice)) from None
     except (ValueError, RecursionError):
         raise BadInput("commands-not-json", path=path, what=what) from None
+
+
+def _whole_number(text: str) -> int | float:
+    """Infinite where it is beyond every float, as 1e400 is: whoever reads it says what may be there."""
+    number = int(text)
+    return number if abs(number) <= sys.float_info.max else float(text)
 
 
 def write_whole(path: Path, content: str | bytes) -> None:

@@ -76,14 +76,14 @@ def pose(
     from sightline.cameras.camera_files import pose_detections
 
     camera = read_camera_file(camera_file)
-    frames, mean_picture = pose_detections(pictures, camera, board, stream_number)
+    frames, mean_picture, twice = pose_detections(pictures, camera, board, stream_number)
     with problems_of(*pictures[:3]):
         solved = pose_from_corners(camera, frames, board, Reference(**reference), mean_picture)
     document = pose_to_dict(solved)
     write_json(output, document)
-    expected = expected_u(solved)
+    expected, warnings = expected_u(solved), [*twice, *solved.warnings]
     extra = {
-        "warnings": list(solved.warnings),
+        "warnings": warnings,
         "expected": [{"distance_m": d, "u_height_m": u} for d, u in expected],
     }
     tell(
@@ -92,7 +92,7 @@ def pose(
         f"{output}: {solved.frames_used} frames, residual {solved.rms_px or 0.0:.3f} px, camera "
         f"{solved.centre_m[2]:.3f} m above the road",
         *expected_lines(expected),
-        *(f"warning: {warning}" for warning in solved.warnings),
+        *(f"warning: {warning}" for warning in warnings),
     )
 
 

@@ -228,6 +228,10 @@ def left_out(rig: Rig, measured: int, start: Start | None = None) -> list[str]:
         out.append(
             "The uncertainty of the baseline is not included, because it was not given (--u-baseline)."
         )
+    if measured and rig.u_line_rate_ratio == 0:
+        out.append(
+            "The uncertainty of the line rate is not included, because it was not given (--u-line-rate)."
+        )
     if measured and start is not None and start.u_s is None:
         out.append("Times of day have no uncertainty, because that of the start was not given (--u-start).")
     return out

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import math
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
@@ -14,13 +15,15 @@ from typing import TYPE_CHECKING, Any, TextIO
 import click
 
 from sightline.commands.options import json_option, number_option, print_json, tell
+from sightline.coverage import expanded
 from sightline.errors import BadInput
 
 if TYPE_CHECKING:
-    from sightline.traffic.records import Asked
+    from sightline.traffic.records import Asked, Recorded, Stood
 
 _FOLDER = click.Path(file_okay=False, path_type=Path)
 _DAY_MINUTES = 24 * 60
+_WHOLE_S = 1.0
 
 
 @click.group()
@@ -68,13 +71,31 @@ def add(
     recorded = read_recorded(recording, duration_s)
     stood = Stood(site, lane, zone, begun, recorded.u_start_s if u_start_s is None else u_start_s)
     days = add_recorded(archive, recorded, stood)
-    measured = sum(one.speed_mps is not None for one in recorded.passings)
+    measured, notes = (
+        sum(one.speed_mps is not None for one in recorded.passings),
+        _start_notes(recorded, stood),
+    )
     tell(
         as_json,
-        {"vehicles": len(recorded.passings), "measured": measured, "days": days},
+        {"vehicles": len(recorded.passings), "measured": measured, "days": days, "notes": notes},
         f"{recorded.name}: {len(recorded.passings)} vehicles, {measured} measured, added to {archive}; "
         f"days touched: {days}.",
+        *notes,
     )
+
+
+def _start_notes(recorded: Recorded, stood: Stood) -> list[str]:
+    """Where the recording speaks of another start than the user, who may have given whole seconds."""
+    told = recorded.begun
+    if told is None:
+        return []
+    apart_s = abs((told - stood.start).total_seconds())
+    if apart_s <= max(_WHOLE_S, expanded(math.hypot(recorded.u_start_s, stood.u_start_s))):
+        return []
+    return [
+        f"{recorded.name} states the start {told.isoformat(timespec='milliseconds')}, but "
+        f"{stood.start.astimezone(told.tzinfo).isoformat(timespec='milliseconds')} was given and used."
+    ]
 
 
 @traffic.command()

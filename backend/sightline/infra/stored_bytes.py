@@ -1,27 +1,79 @@
-"""Bytes into the media store, the ending of the key that they get, and files that may go."""
+"""Files into the media store with the row that needs them, their keys' ending, and files that may go."""
 
+import logging
 import re
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path, PurePosixPath
+from typing import TypeVar
 
+from sightline.errors import SightlineError
+from sightline.infra.backup.state import needed_media
 from sightline.infra.database import Session
+from sightline.infra.idempotency.request import beside_request
 from sightline.infra.jobs import registry
 from sightline.infra.services import Services
 from sightline.media.store.local import key_of, sha256_of
+
+Made = TypeVar("Made")
+
+log = logging.getLogger(__name__)
 
 TIDY = "tidy"
 _SUFFIX = re.compile(r"\.[A-Za-z0-9]{1,8}$")
 
 
-def put_bytes(services: Services, content: bytes, suffix: str) -> str:
-    """Put bytes into the media store; the key. Raises NoRoom."""
+def store_file(
+    services: Services,
+    survey_id: int,
+    key: str,
+    path: Path,
+    note: Callable[[Session], Made],
+    *,
+    actor: int | None,
+    link: bool = False,
+) -> Made:
+    """Store a file and `note` in one transaction what it became; what `note` gives.
+
+    What had the same content may be deleted meanwhile, with its file, so whether it is there is asked inside
+    that transaction: from there on it stays. Where nothing is noted, a job deletes the file unless something
+    else needs it. Raises NoRoom, Away, and what `note` raises.
+    """
+    while True:
+        services.media.put_file(key, path, link=link)
+        try:
+            with services.writing() as session:
+                if services.media.exists(key):
+                    return note(session)
+        except Exception:
+            _let_go_unnoted(services, survey_id, key, actor)
+            raise
+
+
+def _let_go_unnoted(services: Services, survey_id: int, key: str, actor: int | None) -> None:
+    try:
+        with beside_request(), services.writing() as session:
+            if not needed_media(session, key):
+                let_go(session, survey_id, [key], actor)
+    except SightlineError as error:
+        log.warning("%s stays in the media store: %s", key, error.message)
+
+
+def store_bytes(
+    services: Services,
+    survey_id: int,
+    content: bytes,
+    suffix: str,
+    note: Callable[[Session, str], Made],
+    *,
+    actor: int,
+) -> Made:
+    """`store_file` of bytes; `note` is told the key that they have."""
     with tempfile.TemporaryDirectory(prefix="image-", dir=services.scratch) as folder:
         path = Path(folder) / "content"
         path.write_bytes(content)
         key = key_of(sha256_of(path), suffix)
-        services.media.put_file(key, path)
-    return key
+        return store_file(services, survey_id, key, path, lambda session: note(session, key), actor=actor)
 
 
 def let_go(session: Session, survey_id: int, keys: Iterable[str | None], actor: int | None) -> None:

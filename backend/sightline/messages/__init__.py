@@ -1,9 +1,10 @@
 """The catalogue of messages: what is said to a person, by key, in the languages whose file lies here.
 
 `en.ftl` is the source (Project Fluent); the pages read the same files. Code raises keys and values; the
-sentence is made where somebody reads it. Numbers keep all their digits and are not grouped unless the
-sentence asks with NUMBER, for most of them are frames, lines and identifiers. SMALL writes metres as a small
-length: "14 mm" here, inches in the pages of those who read feet.
+sentence is made where somebody reads it. Numbers keep all their digits. The thousands of `$count`, and of
+what a sentence asks for with NUMBER, stand apart from 10,000 on, in every language by a narrow space that
+does not break; most others are frames, lines and identifiers. SMALL writes metres as a small length: "14 mm"
+here, inches in the pages of those who read feet.
 """
 
 from __future__ import annotations
@@ -19,6 +20,9 @@ if TYPE_CHECKING:
 
 Value = str | int | float
 SOURCE = "en"
+#: The one value of sentences that is always a count.
+_COUNT, _COUNTED = "{ $count }", "{ NUMBER($count) }"
+_LEAST_APART, _NARROW = 10_000, "\u202f"
 _MOST_DIGITS = 15
 _LARGEST = 1e13  # Babel writes no larger number with so many digits behind the point
 # An entry: from its key, which begins a line, up to the next line that begins with a key or a comment.
@@ -89,6 +93,27 @@ def _fluent_value(value: Value) -> Any:
     return fluent_number(value, useGrouping=False, maximumFractionDigits=_MOST_DIGITS)
 
 
+def write_count(count: int) -> str:
+    """A count as sentences have it."""
+    return _number("en")(count)
+
+
+def _number(locale: str) -> Callable[..., str]:
+    def number(value: Any, **options: Any) -> str:
+        """A text stays as it is."""
+        from babel import Locale
+        from babel.numbers import get_group_symbol
+        from fluent.runtime.types import fluent_number
+
+        if isinstance(value, str):
+            return value
+        spoken = Locale.parse(locale, sep="-")
+        written = fluent_number(value, **{"useGrouping": abs(value) >= _LEAST_APART, **options})
+        return str(written.format(spoken)).replace(get_group_symbol(spoken), _NARROW)
+
+    return number
+
+
 def _small_length(locale: str) -> Callable[..., str]:
     def small(length_m: float, digits: int | None = None) -> str:
         """Below 1 cm with one decimal, unless the sentence asks for `digits`."""
@@ -110,9 +135,9 @@ class _Bundle:
 
         there = files(__name__) / f"{language}.ftl"
         text = there.read_text("utf-8") if there.is_file() else ""
-        self._texts = entries(text)
+        self._texts = entries(text.replace(_COUNT, _COUNTED))
         locale = "en-GB" if language == SOURCE else language
-        functions: dict[str, Any] = {"SMALL": _small_length(locale)}
+        functions: dict[str, Any] = {"NUMBER": _number(locale), "SMALL": _small_length(locale)}
         self._parsed = FluentBundle([locale], functions=functions, use_isolating=False)
 
     def has(self, key: str) -> bool:

@@ -3296,14 +3296,14 @@ stat-variance-needs = A variance needs at least 2 heights.
 stat-variance-too-large = The variance of the measurement is larger than that of the heights, so it cannot be removed.
 stat-uncorrected = Heights as in Dupuis et al. (inset 0), without a correction.
 stat-deconvolved = After the shift by { SMALL($mean_m, digits: 1) }, the measurement’s own standard deviation of { SMALL($camera_sd_m, digits: 1) } was removed: every height moved towards the mean by { $keep } %.
-stat-percentile-needs = P{ $percent } needs { $needed }; { stat-there-are }
-stat-percentile-needs-alike = P{ $percent } needs { $needed }; { stat-there-are }, equivalent to { $like } of equal weight
+stat-percentile-needs = P{ $percent } needs { NUMBER($needed) }; { stat-there-are }
+stat-percentile-needs-alike = P{ $percent } needs { NUMBER($needed) }; { stat-there-are }, equivalent to { $like } of equal weight
 stat-density-needs = A density needs at least { $least } vehicles; { stat-there-are }.
 stat-values-alike = All values are the same; a density needs values that differ.
 stat-no-reference = no counted height of this group has a reference height
 stat-none-of-class = no accepted heights of its class
 stat-vehicles-give = { NUMBER($vehicles) } vehicles give percentile { $percent } a 95 % interval about { SMALL($width_m, digits: 0) } wide, for normally distributed heights with a standard deviation of { SMALL($sd_m, digits: 0) }.
-stat-heights-needed = needs { $needed } heights; { stat-there-are }
+stat-heights-needed = needs { NUMBER($needed) } heights; { stat-there-are }
 stat-sites = differences between { $sites } sites
 stat-shared-errors = errors that heights share
 stat-random-error-removed = random error (removed from the values)
@@ -3904,7 +3904,7 @@ overview-calibrate = Calibrate the camera from images of the checkerboard, or im
 overview-add-camera = Add a camera and calibrate it.
 overview-ready = { $all ->
     [one] { $count } of 1 recording ready.
-   *[other] { $count } of { $all } recordings ready.
+   *[other] { $count } of { NUMBER($all) } recordings ready.
 }
 overview-confirm = { $count ->
     [one] Confirm lighting and start of 1 recording.
@@ -3925,8 +3925,8 @@ overview-measured = { $count ->
    *[other] All { $count } vehicles are measured or not visible.
 }
 overview-measure = { $count ->
-    [one] Measure { $left } of 1 vehicle.
-   *[other] Measure { $left } of { $count } vehicles.
+    [one] Measure { NUMBER($left) } of 1 vehicle.
+   *[other] Measure { NUMBER($left) } of { $count } vehicles.
 }
 overview-not-visible = { $count ->
     [one] 1 target not visible.
@@ -3953,7 +3953,7 @@ overview-accepted = Accepted: { $count ->
    *[other] { $count } measurements
 }, { $scans ->
     [one] 1 height of line scans.
-   *[other] { $scans } heights of line scans.
+   *[other] { NUMBER($scans) } heights of line scans.
 }
 overview-reviewed = { $count ->
     [one] 1 measurement reviewed.
@@ -3979,21 +3979,21 @@ overview-scans-find = { $count ->
    *[other] Find the vehicles of { $count } line scans.
 }
 overview-scans-review = { $count ->
-    [one] Review { $open } of 1 vehicle.
-   *[other] Review { $open } of { $count } vehicles.
+    [one] Review { NUMBER($open) } of 1 vehicle.
+   *[other] Review { NUMBER($open) } of { $count } vehicles.
 }
 overview-scans-review-heights = { $count ->
-    [one] Review { $open } of 1 height.
-   *[other] Review { $open } of { $count } heights.
+    [one] Review { NUMBER($open) } of 1 height.
+   *[other] Review { NUMBER($open) } of { $count } heights.
 }
 overview-scans-accepted = { $all ->
     [one] { $count } of 1 detected vehicle accepted.
-   *[other] { $count } of { $all } detected vehicles accepted.
+   *[other] { $count } of { NUMBER($all) } detected vehicles accepted.
 }
 overview-scans-not-measurable = { $count } cannot be measured; see their reasons.
 overview-line-heights-accepted = { $all ->
     [one] { $count } of 1 height accepted.
-   *[other] { $count } of { $all } heights accepted.
+   *[other] { $count } of { NUMBER($all) } heights accepted.
 }
 survey-scans-none = <link>Line scans</link>: { $summary }
 survey-scans-label = Line scans, separate from these steps
@@ -4110,7 +4110,7 @@ study-one-site = One site: the intervals apply to that site only.
 study-outside-sample = { $count } accepted heights are of vehicles outside their survey’s sample; they do not count.
 study-without-class = { $count } heights of { $target } have no class of the fleet; they do not count.
 study-all-simulated = Simulated: no value describes real roads.
-study-some-simulated = { $count } of { $surveys } surveys are simulated: no value of this study describes real roads.
+study-some-simulated = { $count } of { NUMBER($surveys) } surveys are simulated: no value of this study describes real roads.
 study-heights-needed = at least { $least } heights are needed
 study-no-weights = no weights meet all shares of the fleet at once
 study-one-site-of-stratum = { $stratum } has one site: join it with another stratum, because differences between sites need two
@@ -4631,7 +4631,7 @@ proposals-too-uncertain = It was not located precisely enough for a height; clic
 ## Proposals: the job, and what is refused
 
 proposals-looking = Searching for points to suggest.
-proposals-made = Suggestions in { $some } of { $passes } passes, points in all: { $points }.
+proposals-made = Suggestions in { NUMBER($some) } of { NUMBER($passes) } passes, points in all: { NUMBER($points) }.
 proposals-being-made-already = Points are already being suggested for { $name }; wait until that has finished.
 proposals-no-found-passes = { $name } has no passes found by Sightline. Find the passes first.
 second-frame-followed = The vehicle was followed through its pass.
@@ -4974,7 +4974,7 @@ geometry-dictionary-unknown = { $dictionary } is not a marker dictionary; use on
 geometry-markers-over-squares = Markers of { $marker_m } m do not fit squares of { $square_m } m; give the side of the black marker, which is smaller than its square.
 geometry-board-marker-count = A board of { $columns }x{ $rows } inner corners has { $needed } markers, but { $dictionary } has { $held }; choose the dictionary that the board was made with.
 adjustment-nothing-uncertain = the pose states neither its own uncertainty nor the board’s, so the traffic cannot change anything; make it with sightline pose.
-adjustment-contradictory = { $out } of { $passes } passes contradict the others; check the known lengths, their uncertainties and which points were followed.
+adjustment-contradictory = { NUMBER($out) } of { NUMBER($passes) } passes contradict the others; check the known lengths, their uncertainties and which points were followed.
 adjustment-does-not-settle = the passes do not converge to one pose; check that each point follows the same place of its vehicle.
 geometry-key-wrong = { $what }: '{ $key }' must be { $wanted }; correct that key or make the file again.
 geometry-format-is-another = { $what } is in the format { $found }, where { $wanted } is needed; give a file of that format.
@@ -5251,12 +5251,12 @@ store-bucket-missing = There is no bucket { $bucket }, and it cannot be created 
 store-file-missing = The media file { $key } is missing from the store.
 store-no-upload = There is no such upload; it was finished or cancelled. Start it again.
 store-file-empty = The file is empty; choose a video file.
-store-upload-incomplete = The upload is not complete: { $have } of { $size } bytes have arrived; continue it.
+store-upload-incomplete = The upload is not complete: { NUMBER($have) } of { NUMBER($size) } bytes have arrived; continue it.
 store-upload-offset = The upload is at byte { $have }, not { $at }; continue from there.
 store-upload-name-taken = An upload with this name is already under way; start a new one.
 store-upload-busy = Another connection is writing this upload; try again.
 store-upload-superseded = This upload continues over a newer connection; this one has ended.
-store-upload-too-long = More bytes arrived than the { $size } announced; start the upload again.
+store-upload-too-long = More bytes arrived than the { NUMBER($size) } announced; start the upload again.
 
 ## Errors: strips
 
@@ -5281,13 +5281,13 @@ strips-not-plain = { $name } is not a plain image (an animation, or damaged); { 
 strips-not-an-image = { $name } { media-kind }; give a PNG or TIFF of the line-scan camera.
 strips-heights-differ = { $name } has { $rows } pixels per line and { $name_2 } { $rows_2 }; give two strips of equal height, or crop them to the part of the scene that both show.
 strips-bits-differ = { $name } has { $value } bits per pixel and { $name_2 } { $value_2 }; save both alike.
-strips-lines-differ = { $name } has { $lines } lines and { $name_2 } { $lines_2 }; both must begin and end together, so give the two strips of one recording, or crop them to the same time.
+strips-lines-differ = { $name } has { NUMBER($lines) } lines and { $name_2 } { NUMBER($lines_2) }; both must begin and end together, so give the two strips of one recording, or crop them to the same time.
 strips-not-a-file = { $name } is not a file; give a PNG or TIFF of the line-scan camera.
 strips-jpeg = { $name } is a JPEG, which changes the pixels; save it as PNG or TIFF in the recorder.
 strips-lines-too-wide = { $name } would have { $rows } pixels per line with time along its { $time_axis }, more than { $most_rows }; { $hint }.
-strips-time-axis-wrong = { $name } has { $lines } lines of { $rows } pixels with time along its { $time_axis }, which shows no vehicle; give a PNG or TIFF of the line-scan camera.
+strips-time-axis-wrong = { $name } has { NUMBER($lines) } lines of { $rows } pixels with time along its { $time_axis }, which shows no vehicle; give a PNG or TIFF of the line-scan camera.
 strips-too-many-lines = { $name } has more than { $most_lines } thousand million lines; split it into parts.
-strips-lost-lines-many = { $name }: its notes state that { $lost } of { $lines } lines were lost; record it again.
+strips-lost-lines-many = { $name }: its notes state that { NUMBER($lost) } of { NUMBER($lines) } lines were lost; record it again.
 strips-lost-lines-outside = { $name }: its notes state lost lines at { $line }, but it ends at { $lines }; correct them.
 strips-unreadable = { $name } cannot be read ({ $strerror }); give a PNG or TIFF of the line-scan camera.
 strips-cut-off = { $name } is cut off: it ends in row { $row } of { $height }; copy it again from the recorder.
@@ -6789,11 +6789,20 @@ evidence-not-measured = Vehicle { $number } is not measured; measure it first.
 evidence-no-picture = The strip of camera { $camera } ends before the vehicle; place its front and rear within the strip.
 evidence-too-long = Front and rear are { NUMBER($lines) } lines apart, more than a vehicle takes ({ NUMBER($most) }); correct its boundaries.
 evidence-pages-not-built = The page of evidence files is not built; run make setup and try again.
-evidence-one-limit = Give one limit: --most-kmh, --least-time-gap-s or --least-distance-gap-m, above 0 and below 10,000.
+evidence-one-limit = Give one limit: --most-kmh, --least-time-gap-s or --least-distance-gap-m, above 0 and below 10 000.
 evidence-no-scan = The survey has no line-scan recording { $scan }; it has: { $names }.
 evidence-no-vehicle = There is no vehicle { $number } in { $scan }; check the number on the line scan page.
 evidence-not-one = This is not an evidence file as written by Sightline, or it was truncated; get the file again.
-evidence-form = The part “{ $part }” cannot be read ({ $words }); it was changed.
+evidence-form = The part “{ $part ->
+    [page] page and form
+    [signature] signature and keys
+    [pictures] images
+    [events] audit events
+    [derived] derived values
+    [numbers] measured values
+    [decision] decision
+   *[said] sentences in other languages
+  }” cannot be read ({ $words }); it was changed.
 evidence-another-page = The page’s program is not the one named by the document; it was changed.
 evidence-not-canonical = The document is not canonical JSON; it was changed.
 evidence-signature = The signature is not valid for the document.
@@ -6963,12 +6972,12 @@ stream-vehicles-wait = { $message } { $waiting } vehicles wait to be stored in t
 stream-recording-deleted = { $recording } was deleted while it was streamed: none of its vehicles are stored from now on, and both strips are deleted at its end.
 stream-recording-not-there = { $recording } was not found in this survey: none of its vehicles are stored from now on.
 stream-strips-kept = The strips of { $recording } stay in { $first } and { $second }; the next stream with this folder tries again to store them.
-stream-stopped = The previous run was stopped after { $lines } lines (segment { $number }, last contact { $last_at } UTC). Its vehicles are kept; missing are the { NUMBER($gap_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s (about { $gap_lines } lines) since then, and the vehicle that was in view.
+stream-stopped = The previous run was stopped after { NUMBER($lines) } lines (segment { $number }, last contact { $last_at } UTC). Its vehicles are kept; missing are the { NUMBER($gap_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s (about { NUMBER($gap_lines) } lines) since then, and the vehicle that was in view.
 stream-resumed = The previous run was stopped; it is resumed at line { $begin } of { $name }, and nothing is missing.
 stream-clock-set = The computer’s clock was set by { NUMBER($jump_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s at line { $lines }; speeds, lengths and gaps are not affected, and times of day continue from the start of this segment.
 stream-lines-not-stored = Later lines could not be stored ({ $strerror }); they were measured nevertheless.
 stream-journal-not-written = The journal could not be written ({ $strerror }).
-stream-lines-stored = { $kept } lines are stored in { $path }.
+stream-lines-stored = { NUMBER($kept) } lines are stored in { $path }.
 rig-few-vehicles = { $count } vehicles give a { $of ->
     [misalignment] misalignment
    *[gain] gain
@@ -7010,10 +7019,11 @@ pose-corners-miss-model = The corners fit the model to { NUMBER($rms_px, minimum
 pose-two-fit = Two poses fit the board almost equally well; turn the camera by some 30 degrees along the road, or bring the board closer.
 pose-squares-small = The squares are small in the image; bring the board closer.
 pose-board-rolled = The board appears rolled by { $roll_deg } degrees; check that columns and rows were not exchanged.
+pose-image-twice = { $name } is the same image as { $file }; it counts once.
 pose-one-frame = Only one frame is used, so it is not checked that the board was at rest.
 pose-road-turned = Rotated by { NUMBER($heading_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) } degrees to the travel direction.
-pose-turned-by-vehicles = Rotated by { NUMBER($turn_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° to the direction of { $vehicles } vehicles.
-pose-adjusted-by-passes = Adjusted by { $passes } passes of known wheelbase or height.
+pose-turned-by-vehicles = Rotated by { NUMBER($turn_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° to the direction of { NUMBER($vehicles) } vehicles.
+pose-adjusted-by-passes = Adjusted by { NUMBER($passes) } passes of known wheelbase or height.
 pose-before = The previous pose is number { $pose }.
 pose-simulated = Simulated.
 pose-board-distance = The board was { NUMBER($distance_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m from the camera.

@@ -3299,14 +3299,14 @@ stat-variance-needs = Une variance demande au moins 2 hauteurs.
 stat-variance-too-large = La variance de la mesure dépasse celle des hauteurs ; elle ne peut être retirée.
 stat-uncorrected = Hauteurs comme dans Dupuis et al. (retrait 0), sans correction.
 stat-deconvolved = Après le décalage de { SMALL($mean_m, digits: 1) }, l’écart-type propre de la mesure, { SMALL($camera_sd_m, digits: 1) }, a été retiré : chaque hauteur s’est rapprochée de la moyenne de { $keep } %.
-stat-percentile-needs = P{ $percent } exige { $needed } véhicules ; { stat-there-are }
-stat-percentile-needs-alike = P{ $percent } exige { $needed } véhicules ; { stat-there-are }, équivalant à { $like } de même poids
+stat-percentile-needs = P{ $percent } exige { NUMBER($needed) } véhicules ; { stat-there-are }
+stat-percentile-needs-alike = P{ $percent } exige { NUMBER($needed) } véhicules ; { stat-there-are }, équivalant à { $like } de même poids
 stat-density-needs = Une densité demande au moins { $least } véhicules ; { stat-there-are }.
 stat-values-alike = Toutes les valeurs sont égales ; une densité demande des valeurs différentes.
 stat-no-reference = aucune hauteur retenue de ce groupe n’a de hauteur de référence
 stat-none-of-class = aucune hauteur validée de sa classe
 stat-vehicles-give = { NUMBER($vehicles) } véhicules donnent au centile { $percent } un intervalle à 95 % d’environ { SMALL($width_m, digits: 0) }, pour des hauteurs de loi normale et d’écart-type { SMALL($sd_m, digits: 0) }.
-stat-heights-needed = demande { $needed } hauteurs ; { stat-there-are }
+stat-heights-needed = demande { NUMBER($needed) } hauteurs ; { stat-there-are }
 stat-sites = les écarts entre { $sites } sites
 stat-shared-errors = les erreurs communes aux hauteurs
 stat-random-error-removed = l’erreur aléatoire (retirée des valeurs)
@@ -3904,7 +3904,7 @@ overview-calibrated = { $count ->
 }
 overview-calibrate = Étalonnez la caméra à partir de photos du damier, ou importez un étalonnage.
 overview-add-camera = Ajoutez une caméra et étalonnez-la.
-overview-ready = Enregistrements prêts : { $count } sur { $all }.
+overview-ready = Enregistrements prêts : { $count } sur { NUMBER($all) }.
 overview-confirm = { $count ->
     [one] Confirmez la luminosité et le début de 1 enregistrement.
    *[other] Confirmez la luminosité et le début de { $count } enregistrements.
@@ -3923,7 +3923,7 @@ overview-measured = { $count ->
     [one] Le véhicule est mesuré ou non visible.
    *[other] Les { $count } véhicules sont mesurés ou non visibles.
 }
-overview-measure = Véhicules à mesurer : { $left } sur { $count }.
+overview-measure = Véhicules à mesurer : { NUMBER($left) } sur { $count }.
 overview-not-visible = { $count ->
     [one] Une cible non visible.
    *[other] { $count } cibles non visibles.
@@ -3949,7 +3949,7 @@ overview-accepted = Validées : { $count ->
    *[other] { $count } mesures
 }, { $scans ->
     [one] 1 hauteur de balayages.
-   *[other] { $scans } hauteurs de balayages.
+   *[other] { NUMBER($scans) } hauteurs de balayages.
 }
 overview-reviewed = { $count ->
     [one] Une mesure vérifiée.
@@ -3975,19 +3975,19 @@ overview-scans-find = { $count ->
    *[other] Détectez les véhicules de { $count } balayages.
 }
 overview-scans-review = { $open ->
-    [one] Vérifiez { $open } véhicule sur { $count }.
-   *[other] Vérifiez { $open } véhicules sur { $count }.
+    [one] Vérifiez { NUMBER($open) } véhicule sur { $count }.
+   *[other] Vérifiez { NUMBER($open) } véhicules sur { $count }.
 }
 overview-scans-review-heights = { $open ->
-    [one] Vérifiez { $open } hauteur sur { $count }.
-   *[other] Vérifiez { $open } hauteurs sur { $count }.
+    [one] Vérifiez { NUMBER($open) } hauteur sur { $count }.
+   *[other] Vérifiez { NUMBER($open) } hauteurs sur { $count }.
 }
 overview-scans-accepted = { $all ->
     [one] Véhicules validés : { $count } sur 1 détecté.
-   *[other] Véhicules validés : { $count } sur { $all } détectés.
+   *[other] Véhicules validés : { $count } sur { NUMBER($all) } détectés.
 }
 overview-scans-not-measurable = Non mesurables : { $count } ; voyez les motifs.
-overview-line-heights-accepted = Hauteurs validées : { $count } sur { $all }.
+overview-line-heights-accepted = Hauteurs validées : { $count } sur { NUMBER($all) }.
 survey-scans-none = <link>Balayages</link> : { $summary }
 survey-scans-label = Balayages linéaires, à part de ces étapes
 survey-scan-results = <link>Mouvement</link> : vitesses, intervalles, longueurs par rapport à celles du constructeur.
@@ -4106,7 +4106,7 @@ study-one-site = Un seul site : les intervalles ne valent que pour lui.
 study-outside-sample = { $count } hauteurs validées sont de véhicules hors de l’échantillon de leur relevé ; elles ne comptent pas.
 study-without-class = { $count } hauteurs ({ $target }) n’ont pas de classe du parc ; elles ne comptent pas.
 study-all-simulated = Simulée : aucune valeur ne décrit des routes réelles.
-study-some-simulated = { $count } relevés sur { $surveys } sont simulés : aucun chiffre de l’étude ne dit rien de routes réelles.
+study-some-simulated = { $count } relevés sur { NUMBER($surveys) } sont simulés : aucun chiffre de l’étude ne dit rien de routes réelles.
 study-heights-needed = ses chiffres demandent au moins { $least } hauteurs
 study-no-weights = aucun poids ne satisfait à la fois toutes les parts du parc
 study-one-site-of-stratum = { $stratum } n’a qu’un site : réunissez-la à une autre strate, pour que l’écart entre sites puisse être estimé
@@ -4626,7 +4626,7 @@ proposals-too-uncertain = N’a pas été localisé assez précisément pour une
 ## Propositions : la tâche, et ce qui est refusé
 
 proposals-looking = Recherche de points à proposer.
-proposals-made = Propositions pour { $some } passages sur { $passes }, points en tout : { $points }.
+proposals-made = Propositions pour { NUMBER($some) } passages sur { NUMBER($passes) }, points en tout : { NUMBER($points) }.
 proposals-being-made-already = Les propositions pour { $name } sont déjà en cours ; attendez la fin.
 proposals-no-found-passes = { $name } n’a pas de passages trouvés par Sightline ; détectez d’abord les passages.
 second-frame-followed = Le véhicule a été suivi pendant son passage.
@@ -4971,7 +4971,7 @@ geometry-dictionary-unknown = { $dictionary } n’est pas un dictionnaire de mar
 geometry-markers-over-squares = Des marqueurs de { $marker_m } m ne vont pas avec des cases de { $square_m } m ; indiquez le côté du marqueur noir, plus petit que sa case.
 geometry-board-marker-count = Une mire de { $columns }x{ $rows } coins intérieurs a { $needed } marqueurs et { $dictionary } en contient { $held } ; choisissez le dictionnaire avec lequel la mire a été faite.
 adjustment-nothing-uncertain = la pose n’indique aucune incertitude propre ni de mire : le trafic ne peut donc rien y changer ; créez-la avec sightline pose.
-adjustment-contradictory = passages en contradiction avec les autres : { $out } sur { $passes } ; vérifiez les longueurs connues, leurs incertitudes et les points suivis.
+adjustment-contradictory = passages en contradiction avec les autres : { NUMBER($out) } sur { NUMBER($passes) } ; vérifiez les longueurs connues, leurs incertitudes et les points suivis.
 adjustment-does-not-settle = les passages ne convergent pas vers une seule pose ; vérifiez que chaque point suit le même endroit de son véhicule.
 geometry-key-wrong = { $what } : « { $key } » doit être { $wanted } ; corrigez cette clé ou refaites le fichier.
 geometry-format-is-another = { $what } est au format { $found }, alors qu’il faut { $wanted } ; donnez un fichier de ce format.
@@ -5286,12 +5286,12 @@ store-bucket-missing = Il n’y a pas de compartiment { $bucket }, et le stockag
 store-file-missing = Le fichier média { $key } manque dans le stockage.
 store-no-upload = Cet envoi n’existe pas ; il a été terminé ou abandonné, recommencez-le.
 store-file-empty = Le fichier est vide ; choisissez un fichier vidéo.
-store-upload-incomplete = L’envoi n’est pas complet : { $have } octets sur { $size } sont arrivés ; poursuivez-le.
+store-upload-incomplete = L’envoi n’est pas complet : { NUMBER($have) } octets sur { NUMBER($size) } sont arrivés ; poursuivez-le.
 store-upload-offset = L’envoi en est à l’octet { $have }, non { $at } ; poursuivez à partir de là.
 store-upload-name-taken = Un envoi de ce nom est déjà en cours ; commencez-en un nouveau.
 store-upload-busy = Cet envoi est en cours d’écriture par une autre connexion ; réessayez.
 store-upload-superseded = Cet envoi se poursuit par une connexion plus récente ; celle-ci est terminée.
-store-upload-too-long = Plus d’octets sont arrivés que les { $size } annoncés ; recommencez l’envoi.
+store-upload-too-long = Plus d’octets sont arrivés que les { NUMBER($size) } annoncés ; recommencez l’envoi.
 
 ## Erreurs : bandes
 
@@ -5319,19 +5319,19 @@ strips-not-plain = { $name } n’est pas une image simple (animation, ou endomma
 strips-not-an-image = { $name } { media-kind } ; indiquez un PNG ou TIFF de la caméra linéaire.
 strips-heights-differ = { $name } a { $rows } pixels par ligne et { $name_2 } { $rows_2 } ; indiquez deux bandes de même hauteur, ou rognez-les à la partie de la scène que les deux montrent.
 strips-bits-differ = { $name } a { $value } bits par pixel et { $name_2 } { $value_2 } ; enregistrez les deux de la même façon.
-strips-lines-differ = { $name } a { $lines } lignes et { $name_2 } { $lines_2 } ; toutes deux commencent et finissent ensemble : indiquez les deux bandes d’un même enregistrement, ou rognez-les à la même durée.
+strips-lines-differ = { $name } a { NUMBER($lines) } lignes et { $name_2 } { NUMBER($lines_2) } ; toutes deux commencent et finissent ensemble : indiquez les deux bandes d’un même enregistrement, ou rognez-les à la même durée.
 strips-not-a-file = { $name } n’est pas un fichier ; indiquez un PNG ou TIFF de la caméra linéaire.
 strips-jpeg = { $name } est un JPEG, qui altère les pixels ; enregistrez-le en PNG ou TIFF dans l’enregistreur.
 strips-lines-too-wide = { $name } aurait { $rows } pixels par ligne avec le temps selon sa { $time_axis ->
     [width] largeur
    *[height] hauteur
 }, plus de { $most_rows } ; { $hint }.
-strips-time-axis-wrong = { $name } a { $lines } lignes de { $rows } pixels avec le temps selon sa { $time_axis ->
+strips-time-axis-wrong = { $name } a { NUMBER($lines) } lignes de { $rows } pixels avec le temps selon sa { $time_axis ->
     [width] largeur
    *[height] hauteur
 }, ce qui ne montre aucun véhicule ; indiquez un PNG ou TIFF de la caméra linéaire.
 strips-too-many-lines = { $name } a plus de { $most_lines } milliards de lignes ; découpez-le en parties.
-strips-lost-lines-many = { $name } : ses notes disent que { $lost } lignes sur { $lines } ont été perdues ; refaites l’enregistrement.
+strips-lost-lines-many = { $name } : ses notes disent que { NUMBER($lost) } lignes sur { NUMBER($lines) } ont été perdues ; refaites l’enregistrement.
 strips-lost-lines-outside = { $name } : ses notes nomment des lignes perdues à { $line }, mais il finit à { $lines } ; corrigez-les.
 strips-unreadable = { $name } est illisible ({ $strerror }) ; indiquez un PNG ou TIFF de la caméra linéaire.
 strips-cut-off = { $name } est tronqué : il finit à la rangée { $row } sur { $height } ; copiez-le à nouveau depuis l’enregistreur.
@@ -6861,7 +6861,16 @@ evidence-one-limit = Indiquez une limite : --most-kmh, --least-time-gap-s ou --
 evidence-no-scan = Le relevé n’a pas d’enregistrement de balayage linéaire { $scan } ; il a : { $names }.
 evidence-no-vehicle = Il n’y a pas de véhicule { $number } dans { $scan } ; vérifiez le numéro sur la page du balayage.
 evidence-not-one = Ce n’est pas un dossier de preuve tel que ce programme les écrit, ou il a été tronqué ; reprenez le fichier.
-evidence-form = La partie « { $part } » est illisible ({ $words }) ; elle a été modifiée.
+evidence-form = La partie « { $part ->
+    [page] page et forme
+    [signature] signature et clés
+    [pictures] images
+    [events] événements d’audit
+    [derived] valeurs déduites
+    [numbers] valeurs mesurées
+    [decision] décision
+   *[said] phrases en d’autres langues
+  } » est illisible ({ $words }) ; elle a été modifiée.
 evidence-another-page = Le programme de la page n’est pas celui que nomme le document ; il a été modifié.
 evidence-not-canonical = Le document n’est pas un JSON canonique ; il a été modifié.
 evidence-signature = La signature n’est pas valable pour le document.
@@ -7024,12 +7033,12 @@ stream-vehicles-wait = { $message } { $waiting } véhicules attendent d’être 
 stream-recording-deleted = { $recording } a été supprimé pendant le flux : plus aucun de ses véhicules n’est enregistré, et ses deux bandes sont supprimées à sa fin.
 stream-recording-not-there = { $recording } est introuvable dans ce relevé : plus aucun de ses véhicules n’est enregistré.
 stream-strips-kept = Les bandes de { $recording } restent dans { $first } et { $second } ; le prochain flux avec ce dossier essaiera de nouveau de les enregistrer.
-stream-stopped = L’exécution précédente a été interrompue après { $lines } lignes (segment { $number }, dernier contact { $last_at } UTC). Ses véhicules sont conservés ; manquent les { NUMBER($gap_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s (environ { $gap_lines } lignes) écoulées depuis, et le véhicule en vue.
+stream-stopped = L’exécution précédente a été interrompue après { NUMBER($lines) } lignes (segment { $number }, dernier contact { $last_at } UTC). Ses véhicules sont conservés ; manquent les { NUMBER($gap_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s (environ { NUMBER($gap_lines) } lignes) écoulées depuis, et le véhicule en vue.
 stream-resumed = L’exécution précédente a été interrompue ; elle reprend à la ligne { $begin } de { $name }, et rien ne manque.
 stream-clock-set = L’horloge de l’ordinateur a été réglée de { NUMBER($jump_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s à la ligne { $lines } ; vitesses, longueurs et intervalles n’en dépendent pas, et les heures continuent depuis le début de ce segment.
 stream-lines-not-stored = Les lignes suivantes n’ont pu être enregistrées ({ $strerror }) ; elles ont été mesurées tout de même.
 stream-journal-not-written = Le journal n’a pu être écrit ({ $strerror }).
-stream-lines-stored = { $kept } lignes sont enregistrées dans { $path }.
+stream-lines-stored = { NUMBER($kept) } lignes sont enregistrées dans { $path }.
 rig-few-vehicles = { $count } véhicules donnent un { $of ->
     [misalignment] désalignement
    *[gain] gain
@@ -7071,10 +7080,11 @@ pose-corners-miss-model = Les coins ne suivent le modèle qu’à { NUMBER($rms_
 pose-two-fit = Deux poses s’accordent presque aussi bien à la mire ; tournez la caméra d’une trentaine de degrés le long de la route, ou approchez la mire.
 pose-squares-small = Les cases sont petites dans l’image ; approchez la mire.
 pose-board-rolled = La mire paraît tournée de { $roll_deg } degrés ; contrôlez que colonnes et rangées ne sont pas inversées.
+pose-image-twice = { $name } est la même image que { $file } ; elle compte une fois.
 pose-one-frame = Une seule image est utilisée ; l’immobilité de la mire n’est pas contrôlée.
 pose-road-turned = Pivotée de { NUMBER($heading_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) } degrés vers le sens de circulation.
-pose-turned-by-vehicles = Pivotée de { NUMBER($turn_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° vers le sens de { $vehicles } véhicules.
-pose-adjusted-by-passes = Ajustée par { $passes } passages d’empattement ou de hauteur connus.
+pose-turned-by-vehicles = Pivotée de { NUMBER($turn_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° vers le sens de { NUMBER($vehicles) } véhicules.
+pose-adjusted-by-passes = Ajustée par { NUMBER($passes) } passages d’empattement ou de hauteur connus.
 pose-before = La pose précédente est le numéro { $pose }.
 pose-simulated = Simulée.
 pose-board-distance = La mire était à { NUMBER($distance_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m de la caméra.

@@ -2,9 +2,10 @@
 
 from collections import Counter, defaultdict
 from collections.abc import Sequence
+from functools import cache
 from typing import Any
 
-from sqlalchemy import Select, func, select
+from sqlalchemy import BindParameter, Select, bindparam, func, select
 from sqlalchemy.orm import Session
 
 from sightline.messages.said import Said
@@ -13,26 +14,35 @@ from sightline.scans.query import scan_vehicle_states
 from sightline.scans.records import ScanProgress, state_of
 from sightline.scans.tables import scan_vehicles, scans
 
+#: The surveys that a query built once is asked for.
+SURVEY_IDS: BindParameter[int] = bindparam("survey_ids", expanding=True)
+
 
 def scan_progress_of(session: Session, survey_ids: Sequence[int]) -> dict[int, ScanProgress]:
     """The line scans of those surveys that have any, by survey."""
     by_survey: defaultdict[int, Counter[str]] = defaultdict(Counter)
-    here = scan_vehicles.c.survey_id.in_(survey_ids)
-    there = (
-        select(scans.c.survey_id, scans.c.state, func.count())
-        .where(scans.c.survey_id.in_(survey_ids), scans.c.deleted_at.is_(None))
-        .group_by(scans.c.survey_id, scans.c.state)
-    )
-    for survey_id, state, count in session.execute(there):
+    asked, (there, motions, heights) = {SURVEY_IDS.key: survey_ids}, _queries()
+    for survey_id, state, count in session.execute(there, asked):
         by_survey[survey_id].update({"scans": count, state: count})
-    for survey_id, status, verdict, count in session.execute(
-        _count_states(scan_vehicle_states(here), "status", "verdict")
-    ):
+    for survey_id, status, verdict, count in session.execute(motions, asked):
         by_survey[survey_id].update({"vehicles": count, state_of(status, verdict): count})
     if by_survey:
-        for survey_id, verdict, count in session.execute(_count_states(scan_height_states(here), "verdict")):
+        for survey_id, verdict, count in session.execute(heights, asked):
             by_survey[survey_id].update({"heights": count, f"heights_{state_of('ok', verdict)}": count})
     return {survey_id: _progress(counts) for survey_id, counts in by_survey.items()}
+
+
+@cache
+def _queries() -> tuple[Select[Any], Select[Any], Select[Any]]:
+    """Built once: scans by their state, their vehicles by motion and verdict, their heights by verdict."""
+    here = scan_vehicles.c.survey_id.in_(SURVEY_IDS)
+    there = (
+        select(scans.c.survey_id, scans.c.state, func.count())
+        .where(scans.c.survey_id.in_(SURVEY_IDS), scans.c.deleted_at.is_(None))
+        .group_by(scans.c.survey_id, scans.c.state)
+    )
+    motions = _count_states(scan_vehicle_states(here), "status", "verdict")
+    return there, motions, _count_states(scan_height_states(here), "verdict")
 
 
 _COUNTED = tuple(name for name in ScanProgress.__slots__ if name not in ("state", "summary"))

@@ -52,7 +52,7 @@ class Recorded:
 
     `sha256`: of the file it was read from, which names it in the archive. `lanes`: those of the rig that are
     told of; none: vehicles are of the lane that it stood at. `u_start_s`, `u_line_rate_ratio`: of its start
-    and its line rate (k = 1), as the file says; 0: it does not.
+    and its line rate (k = 1), as the file says; 0: it does not. `begun`: its start as the file says.
     """
 
     name: str
@@ -62,6 +62,7 @@ class Recorded:
     lanes: tuple[str, ...] = ()
     u_start_s: float = 0.0
     u_line_rate_ratio: float = 0.0
+    begun: datetime | None = None
 
     def lane_of(self, one: Passing, stood: Stood) -> str:
         """A vehicle's lane in the archive; empty where the rig has lanes and its own is not known."""

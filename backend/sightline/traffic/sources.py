@@ -52,6 +52,7 @@ def read_recorded(path: Path, duration_s: float | None) -> Recorded:
         lanes=lanes,
         u_start_s=u_told(whole, "u_start_s"),
         u_line_rate_ratio=u_told(whole, "u_line_rate_ratio"),
+        begun=_begun_of(vehicles) if whole is None else instant_told(whole.get("start")),
     )
 
 
@@ -143,6 +144,18 @@ def _on_one_clock(rows: list[Any]) -> list[Any]:
             before.append((front_s, rear_s))
             out.append(row | times)
     return out
+
+
+def _begun_of(rows: Sequence[Any]) -> datetime | None:
+    """When line 0 of lines of `stream` was taken, by their times of day, which have milliseconds."""
+    return min(
+        (
+            at - timedelta(milliseconds=round(1000 * row["front_s"]))
+            for row in rows
+            if (at := instant_told(row.get("front_at")))
+        ),
+        default=None,
+    )
 
 
 def instant_told(said: object) -> datetime | None:

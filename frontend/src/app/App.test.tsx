@@ -1,7 +1,11 @@
+import { signal } from "@preact/signals";
 import { render } from "preact";
+import { useEffect } from "preact/hooks";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { navigate } from "../core/address";
+import { say } from "../core/messages";
 import { me } from "../core/session";
+import { topTools } from "../core/topbar";
 import type { Job, Me, Recording, Role, Survey } from "../core/types";
 import { INSET_NAMES } from "../core/words";
 import { App } from "./App";
@@ -114,6 +118,7 @@ const job = (part: Partial<Job>): Job => ({
   scan_id: null,
   created_at: "2026-11-21T10:00:00Z",
   finished_at: null,
+  cancellable: true,
   ...part,
 });
 
@@ -152,6 +157,25 @@ describe("who is not signed in", () => {
     await shown("No password yet?");
     expect(location.pathname + location.search).toBe("/sign-in?next=%2Fsurveys%2F5%2Fcamera");
   });
+});
+
+it("says in one sentence that a part outside the pages broke, and goes on when it is well again", async () => {
+  answers = { "/session": person("operator"), "/surveys": [], "/jobs": [] };
+  const isBroken = signal(true);
+  const Tools = () => {
+    useEffect(() => {}, []);
+    if (isBroken.value) throw new Error("broken");
+    return <p>well again</p>;
+  };
+  vi.spyOn(console, "error").mockImplementation(() => {});
+  topTools.value = <Tools />;
+  show("/");
+  await shown(say("problem-page"));
+  isBroken.value = false;
+  document.querySelector("button")?.click();
+  await shown("well again");
+  await shown("No surveys yet");
+  topTools.value = null;
 });
 
 describe("the surveys", () => {

@@ -13,7 +13,7 @@ import { keysShown } from "./KeysDialog.state";
 import "./kinds";
 import { tour } from "../core/tour";
 import { Offline } from "./Offline";
-import { NotFound, Screen } from "./Screen";
+import { Guarded, NotFound, Screen } from "./Screen";
 import { TopBar } from "./TopBar";
 import { Unsaved } from "./Unsaved";
 
@@ -21,6 +21,14 @@ const KeysDialog = late(async () => (await import("./KeysDialog")).default);
 const Tour = late(async () => (await import("./Tour")).default);
 
 export function App() {
+  return (
+    <Guarded>
+      <Whole />
+    </Guarded>
+  );
+}
+
+function Whole() {
   useEffect(() => {
     void loadSession();
   }, []);

@@ -38,8 +38,9 @@ export function Screen({ here }: { here: Match }) {
   return <Loading what={titleOf(place.name)} />;
 }
 
-/** A page that breaks says so in one sentence; the bar above it and the other pages go on working. */
-function Guarded({ children }: { children: ComponentChildren }) {
+/** What breaks in it says so in one sentence, and what is beside it goes on working. Without one around it, Preact would
+ *  try to render it for ever: its effects have not run, and ask for it anew at each try. */
+export function Guarded({ children }: { children: ComponentChildren }) {
   const [error, tryAgain] = useErrorBoundary();
   if (!error) return children;
   return (

@@ -29,7 +29,7 @@ export function CommitField(props: CommitFieldProps) {
   const [problem, setProblem] = useState<string | null>(null);
   /** False where what is typed cannot be taken: the field stays as it is. */
   const commit = (): boolean => {
-    const wrong = (typing.open() && props.check?.(typing.told)) || null;
+    const wrong = (typing.open() && props.check?.(typing.told())) || null;
     setProblem(wrong);
     if (wrong) return false;
     const text = typing.finish();

@@ -162,7 +162,7 @@ export function JobProgress({ job, onCancel, panel, named }: JobProgressProps) {
       <div class="grow">
         <Progress value={job.progress} label={label} still={job.state === "queued"} />
       </div>
-      {onCancel && <Button says="action-cancel" small onClick={onCancel} />}
+      {onCancel && job.cancellable && <Button says="action-cancel" small onClick={onCancel} />}
     </div>
   );
   return panel ? <div class="panel panel__body">{row}</div> : row;

@@ -34,3 +34,12 @@ it("a job's progress names the job where nothing else on the page does", async (
   expect(told()).toMatch(/^Contrôle de stabilité de la caméra\u00a0: /);
   await speak("en");
 });
+
+it("a job is cancelled where the server says that it may be", () => {
+  const buttons = (cancellable: boolean) => {
+    const job = { kind: "drift", state: "running", progress: 0, message: null, cancellable };
+    render(<JobProgress job={job as unknown as Job} onCancel={() => undefined} />, document.body);
+    return document.querySelectorAll("button").length;
+  };
+  expect([buttons(true), buttons(false)]).toEqual([1, 0]);
+});

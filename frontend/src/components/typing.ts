@@ -15,7 +15,7 @@ export const TypingHold = createContext<Hold | null>(null);
 export interface Typing {
   readonly text: string;
   /** What it would be told as. */
-  readonly told: string;
+  told(): string;
   /** Something is typed and not yet told. */
   open(): boolean;
   type(text: string): void;
@@ -36,7 +36,7 @@ export function useTyping(value: string, usual = ""): Typing {
     started.current = null;
     hold?.end();
   };
-  const told = text.trim() || usual;
+  const told = (): string => text.trim() || usual;
   return {
     text,
     told,
@@ -51,10 +51,11 @@ export function useTyping(value: string, usual = ""): Typing {
     finish() {
       const before = started.current;
       if (before === null) return null;
-      const changed = told !== before;
+      const now = told();
+      const changed = now !== before;
       if (!changed) setText(value);
       started.current = null;
-      return changed ? told : null;
+      return changed ? now : null;
     },
     undo() {
       setText(value);

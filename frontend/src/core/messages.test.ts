@@ -8,9 +8,28 @@ test("a sentence is the catalogue's", () => {
   expect(say("page-repeats")).toBe("Repeatability");
 });
 
-test("a sentence counts as its language does, thousands set apart", () => {
+test("a sentence counts as its language does, thousands set apart from 10,000 on", async () => {
   const counted = (count: number) => say("scans-count-vehicles", { count });
-  expect([0, 1, 1234].map(counted)).toEqual(["0\u00a0vehicles", "1\u00a0vehicle", "1,234\u00a0vehicles"]);
+  expect([0, 1, 9999].map(counted)).toEqual(["0\u00a0vehicles", "1\u00a0vehicle", "9999\u00a0vehicles"]);
+  expect(counted(1234567)).toContain("1\u202f234\u202f567");
+  expect(say("measure-progress", { count: 1, all: 12345 })).toBe("1 of 12\u202f345");
+  await speak("fr");
+  expect(counted(12345)).toContain("12\u202f345");
+  expect(counted(9999)).toContain("9999");
+});
+
+test("of the server's numbers those stand apart that are counts, as the server writes them", async () => {
+  for (const language of ["en", "fr"]) {
+    await speak(language);
+    const all = { code: "overview-scans-accepted", values: { count: 12345, all: 54321 } };
+    await vi.waitFor(() => expect(sayCode(all)).toMatch(/12\u202f345 .*54\u202f321/));
+    await vi.waitFor(() =>
+      expect(sayCode({ code: "video-frame-changed", values: { n: 12345 } })).toContain("12345"),
+    );
+    expect(sayCode({ code: "stream-clock-set", values: { jump_s: 12345.5, lines: 10000 } })).toMatch(
+      /12\u202f345[.,]5.* 10000/,
+    );
+  }
 });
 
 test("a number stays in the line of its unit, and of what it is the uncertainty", async () => {

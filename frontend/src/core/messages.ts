@@ -11,6 +11,11 @@ import type { Messages } from "#messages";
 import { stored } from "./stored";
 
 const SOURCE = "en";
+/** Thousands stand apart from 10,000 on, in every language, by a narrow space that does not break. */
+export const APART = { useGrouping: "min2" } as const;
+const NARROW = "\u202f";
+/** The one value of the server's sentences that is always a count. */
+const COUNT = "count";
 /** The rooms of words beside those of the screens: see `tools/words.ts`. */
 const EVERYWHERE = "everywhere";
 const OF_SERVER = "server";
@@ -25,12 +30,26 @@ type Values<K extends MessageKey> = Messages[K] extends null ? [] : [values: Mes
 const chosen = stored<string>("language", "", (v) => typeof v === "string");
 /** The keys of the English sentences, as they stand there. */
 const KEYS = new Set<string>();
+class Written extends FluentNumber {
+  override toString(scope: Parameters<FluentNumber["toString"]>[0]): string {
+    return scope
+      ? writeNumber(scope.memoizeIntlObject(Intl.NumberFormat, this.opts), this.value)
+      : super.toString(scope);
+  }
+}
+
 let writeSmall = (metres: number, _digits?: number): string => `${metres * 1000} mm`;
 /** Whether lengths are shown as the server writes them in its sentences: metric. */
 let metric = (): boolean => true;
 /** `{ SMALL($error_m) }` in a sentence: metres as a small length in the unit that is shown. */
 const SMALL: FluentFunction = ([metres], { digits }) =>
   writeSmall(numberOf(metres), digits === undefined ? undefined : numberOf(digits));
+/** `{ NUMBER($all) }` in a sentence: its thousands stand apart, whoever said the number. */
+const NUMBER: FluentFunction = ([number], options) => {
+  if (!(number instanceof FluentNumber)) return number ?? "";
+  const asked = Object.entries(options).map(([name, value]) => [name, value.valueOf()]);
+  return new Written(number.valueOf(), { ...number.opts, ...APART, ...Object.fromEntries(asked) });
+};
 const source = bundleOf(SOURCE);
 addWords(source, english);
 /** Whose words are wanted, and those that each language has. */
@@ -138,17 +157,32 @@ export function apart(words: readonly string[]): string {
   return others.reduce((before, second) => say("words-apart", { first: before, second }), first);
 }
 
+/** A number as `format` has it, with the space that sets thousands apart. */
+export function writeNumber(format: Intl.NumberFormat, value: number): string {
+  const parts = format.formatToParts(value);
+  return parts.map((part) => (part.type === "group" ? NARROW : part.value)).join("");
+}
+
 /** `say` where key and values were checked before. */
 export function sentence(key: string, values?: Record<string, FluentVariable>): string {
   for (const bundle of bundles.value) {
     const pattern = bundle.getMessage(key)?.value;
     if (!pattern) continue;
     const errors: Error[] = [];
-    const text = bundle.formatPattern(pattern, values, errors);
+    const text = bundle.formatPattern(pattern, values && written(values), errors);
     if (errors.length > 0) console.error(`${key}: ${errors.join("; ")}`);
     return unbroken(text);
   }
   return key;
+}
+
+/** What a page says are counts: identifiers it says as texts. */
+function written(values: Record<string, FluentVariable>): Record<string, FluentVariable> {
+  const each = Object.entries(values).map(([name, value]) => [
+    name,
+    typeof value === "number" ? new Written(value, APART) : value,
+  ]);
+  return Object.fromEntries(each);
 }
 
 const BEFORE_UNIT = / (?=(?:%|(?:px|[µmck]?m|[µm]?s|km\/h|m\/s²?|mph|mrad|Hz|ppm|[kMGT]?[Bo])(?!\p{L})))/u;
@@ -182,7 +216,7 @@ const MOST_DIGITS = 15;
 
 /** A sentence of the server in the language spoken, or null where this program has none of that name: what the server
  *  said itself needs no words here, unless lengths are to be in feet. Numbers are frames and identifiers more often than
- *  counts, so they are not grouped unless the sentence asks for it. */
+ *  counts, so only the thousands of `$count` stand apart, and what the sentence asks for. */
 export function sayCode({ code, values, message }: Said): string | null {
   if (!bundles.value.some((one) => one.hasMessage(code))) {
     const isSaid = message !== undefined && metric();
@@ -192,7 +226,10 @@ export function sayCode({ code, values, message }: Said): string | null {
   const given = Object.entries(values).map(([name, value]) => [
     name,
     typeof value === "number"
-      ? new FluentNumber(value, { useGrouping: false, maximumFractionDigits: MOST_DIGITS })
+      ? new Written(value, {
+          ...(name === COUNT ? APART : { useGrouping: false }),
+          maximumFractionDigits: MOST_DIGITS,
+        })
       : typeof value === "object"
         ? sentenceOf(value)
         : value,
@@ -226,7 +263,7 @@ export function writeSmallLengths(
 }
 
 function bundleOf(name: string): FluentBundle {
-  return new FluentBundle(name, { useIsolating: false, functions: { SMALL } });
+  return new FluentBundle(name, { useIsolating: false, functions: { NUMBER, SMALL } });
 }
 
 function numberOf(value: unknown): number {

@@ -91,8 +91,8 @@ describe("numbers", () => {
     expect(parseLength("10")).toBeCloseTo(3.048, 12);
   });
 
-  it("groups thousands", () => {
-    expect(formatCount(1234567)).toBe("1,234,567");
+  it("sets thousands apart from 10,000 on", () => {
+    expect([1234, 9999, 1234567].map(formatCount)).toEqual(["1234", "9999", "1\u202f234\u202f567"]);
   });
 
   it("writes the small lengths of a server's sentence in the unit that is shown", async () => {
@@ -145,7 +145,7 @@ describe("numbers and lists in another language", () => {
     expect(apart(["a", "b", "c"])).toBe("a; b; c");
     await speak("fr");
     expect(numbersIn("0.278 V t + 0.039 V² / a")).toBe("0,278 V t + 0,039 V² / a");
-    expect(numbersIn("−6,600.0")).toBe("−6\u202f600,0");
+    expect(numbersIn("−6,600.0 to 12,500.0")).toBe("−6600,0 to 12\u202f500,0");
     expect(plainPercent(2.5)).toBe("2,5");
     expect(formatBytes(14_200_000)).toBe("14,2\u00a0Mo");
     expect(apart(["a", "b", "c"])).toBe("a\u202f; b\u202f; c");

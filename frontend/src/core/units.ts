@@ -1,5 +1,5 @@
 /** Lengths and speeds as people read and type them. The server speaks metres and seconds; feet and miles are only shown. */
-import { region, say, writeSmallLengths } from "./messages";
+import { APART, region, say, writeNumber, writeSmallLengths } from "./messages";
 import { stored } from "./stored";
 
 export type LengthUnit = "m" | "ft";
@@ -39,9 +39,12 @@ function convert(metres: number, unit: LengthUnit): number {
 const formats = new Map<string, Intl.NumberFormat>();
 
 /** How the chosen language writes numbers of so many decimals. */
-function numbers(digits: number, useGrouping = false): Intl.NumberFormat {
-  const key = `${region.value} ${digits} ${useGrouping}`;
-  const options = { minimumFractionDigits: digits, maximumFractionDigits: digits, useGrouping };
+function numbers(
+  digits: number,
+  grouping: Intl.NumberFormatOptions = { useGrouping: false },
+): Intl.NumberFormat {
+  const key = `${region.value} ${digits} ${grouping.useGrouping}`;
+  const options = { minimumFractionDigits: digits, maximumFractionDigits: digits, ...grouping };
   const found = formats.get(key) ?? new Intl.NumberFormat(region.value, options);
   formats.set(key, found);
   return found;
@@ -115,7 +118,8 @@ export function plainPercent(value: number | null): string {
 export function numbersIn(text: string): string {
   return text.replace(/\d[\d,]*(?:\.\d+)?/g, (number) => {
     const digits = number.split(".")[1]?.length ?? 0;
-    return numbers(digits, number.includes(",")).format(Number(number.replaceAll(",", "")));
+    const grouping = number.includes(",") ? APART : undefined;
+    return writeNumber(numbers(digits, grouping), Number(number.replaceAll(",", "")));
   });
 }
 
@@ -141,9 +145,9 @@ export function localNumber(text: string): string {
   return /^[-−]?\d*\.\d*$/.test(text) ? text.replace(".", fixed(0.5, 1).charAt(1)) : text;
 }
 
-/** A count, its thousands set apart as the chosen language does. */
+/** A count, as sentences have it too. */
 export function formatCount(value: number): string {
-  return numbers(0, true).format(Math.round(value));
+  return writeNumber(numbers(0, APART), Math.round(value));
 }
 
 /** "14.2 MB" (decimal). */

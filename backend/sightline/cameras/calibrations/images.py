@@ -1,7 +1,5 @@
 """Calibration images: looking for the board, keeping the file once, looking again for another board."""
 
-from contextlib import suppress
-
 import numpy as np
 import numpy.typing as npt
 
@@ -13,12 +11,12 @@ from sightline.cameras.store import (
     remove_calibration_image,
     set_detection,
 )
-from sightline.errors import Away
 from sightline.geometry.board import Board
 from sightline.geometry.corners import Corners, find_board
 from sightline.geometry.ruler import polyline
+from sightline.infra.database import Session
 from sightline.infra.services import Services
-from sightline.infra.stored_bytes import let_go, put_bytes, suffix_of
+from sightline.infra.stored_bytes import let_go, store_bytes, suffix_of
 from sightline.media.images import jpeg
 from sightline.messages.said import Said
 
@@ -51,13 +49,13 @@ def add_image(
 ) -> CalibrationImage:
     """Store a picture with what was found in it. Raises BadInput, naming the file, for what is no picture."""
     with services.reading() as session:
-        get_camera(session, camera_id)
+        survey_id = get_camera(session, camera_id).survey_id
     gray = services.frames.image(content, name)
     detection = look(gray, board)
     height, width = gray.shape
-    key = put_bytes(services, content, suffix_of(name))
-    with services.writing() as session:
-        image = add_calibration_image(
+
+    def note(session: Session, key: str) -> CalibrationImage:
+        return add_calibration_image(
             session,
             camera_id,
             name=name,
@@ -67,10 +65,8 @@ def add_image(
             detection=detection,
             actor=actor,
         )
-    with suppress(Away):  # it is stored, and the file there but for the rarest case
-        if not services.media.exists(key):
-            put_bytes(services, content, suffix_of(name))  # a twin took it along before
-    return image
+
+    return store_bytes(services, survey_id, content, suffix_of(name), note, actor=actor)
 
 
 def detect_again(

@@ -70,9 +70,9 @@ def verify_evidence(content: bytes, key: str | None = None) -> EvidenceCheck:
         raise Damaged("evidence-not-one")
     document, decided = page.document, _decide_again(page)
     problems = []
-    for check in (_sealed, _signature, _pictures, _events, _derived, _numbers):
-        problems += _guarded(check, page)
-    problems += [*_guarded(_decision, page, decided), *_guarded(_translations, page)]
+    for part, check in _CHECKS.items():
+        problems += _guarded(part, check, page)
+    problems += [*_guarded("decision", _decision, page, decided), *_guarded("said", _translations, page)]
     if key is not None and not _is_known(document, key):
         problems.append(say("evidence-other-key", {"key": str(document.get("key"))[:16]}))
     return EvidenceCheck(
@@ -88,12 +88,12 @@ def verify_evidence(content: bytes, key: str | None = None) -> EvidenceCheck:
     )
 
 
-def _guarded(check: Callable[..., Iterator[str]], *given: object) -> list[str]:
-    """What a check finds; a document whose parts are not of their kind is a finding too."""
+def _guarded(part: str, check: Callable[..., Iterator[str]], *given: object) -> list[str]:
+    """What the check of a part finds; a document whose parts are not of their kind is a finding too."""
     try:
         return list(check(*given))
     except _NOT_OF_KIND as error:
-        return [say("evidence-form", {"part": check.__name__.strip("_"), "words": str(error)})]
+        return [say("evidence-form", {"part": part, "words": str(error)})]
 
 
 def _sealed(page: ReadPage) -> Iterator[str]:
@@ -334,3 +334,14 @@ def _notes(page: ReadPage, key: str | None, decided: Document | str) -> Iterator
         yield say("evidence-words-other-version", {"words": decided["words"]})
     shown = str(page.document.get("key"))[:16]
     yield say("evidence-key-given" if key is not None else "evidence-key-not-given", {"key": shown})
+
+
+#: By the parts of a document, as `evidence-form` names them.
+_CHECKS: Mapping[str, Callable[[ReadPage], Iterator[str]]] = {
+    "page": _sealed,
+    "signature": _signature,
+    "pictures": _pictures,
+    "events": _events,
+    "derived": _derived,
+    "numbers": _numbers,
+}

@@ -11,8 +11,9 @@ from sightline.export.report import labels, marks
 from sightline.export.report.canvas import HALF, INK, MUTED, Drawing, svg
 from sightline.export.report.marks import MAIN, SECOND, THIRD, LineStyle
 from sightline.export.report.said import sentence_of_key, sentence_of_said
-from sightline.export.report.units import HEIGHT, SMALL, Scale, count, format_fixed
+from sightline.export.report.units import HEIGHT, SMALL, Scale, format_fixed
 from sightline.export.report.words import LIGHTING, heading
+from sightline.messages import write_count
 from sightline.messages.said import Said
 from sightline.statistics.agreement import Trend
 from sightline.statistics.distributions import Ecdf
@@ -75,7 +76,7 @@ def _groups_to_draw(parts: Mapping[str, Part | Said | None]) -> list[tuple[str, 
 
 
 def _word(name: str, part: SampleCounts) -> str:
-    return sentence_of_key("report-fig-group", group=LIGHTING[name], n=count(part.n))
+    return sentence_of_key("report-fig-group", group=LIGHTING[name], n=write_count(part.n))
 
 
 def _cumulative(
@@ -194,7 +195,7 @@ def _trend_caption(errors: Errors, unit: LengthUnit) -> str:
     points_words = (
         sentence_of_key("report-fig-seen")
         if shown >= line.n
-        else sentence_of_key("report-fig-seen-some", shown=count(shown), n=count(line.n))
+        else sentence_of_key("report-fig-seen-some", shown=write_count(shown), n=write_count(line.n))
     )
     values = {
         "seen": points_words,

@@ -10,8 +10,9 @@ from sightline.export.report import labels, marks
 from sightline.export.report.canvas import FULL, HALF, INK, MUTED, NOTE_PT, Drawing, Sheet, svg
 from sightline.export.report.marks import MAIN, Limit
 from sightline.export.report.said import sentence_of_key, sentence_of_said, spoken_language
-from sightline.export.report.units import HEIGHT, Scale, count, format_fixed, percent
+from sightline.export.report.units import HEIGHT, Scale, format_fixed, percent
 from sightline.export.report.words import GROUPINGS, TARGETS, group_word, heading, join_with_semicolons
+from sightline.messages import write_count
 from sightline.results.usual_standards import in_language
 from sightline.statistics.distributions import Density, Percentile
 from sightline.statistics.standards import Standard
@@ -81,7 +82,7 @@ def _cumulative(
 
     def draw(axes: Axes) -> None:
         named = marks.steps(
-            axes, ecdf, MAIN, scale.factor, sentence_of_key("report-fig-corrected", n=count(ecdf.n))
+            axes, ecdf, MAIN, scale.factor, sentence_of_key("report-fig-corrected", n=write_count(ecdf.n))
         )
         if total is not None:
             _whiskers(axes, total, scale)
@@ -142,7 +143,7 @@ def _density(
         marks.limits(axes, shown)
 
     caption = sentence_of_key(
-        "report-fig-density-caption", n=count(density.n), width=scale.length(density.bandwidth)
+        "report-fig-density-caption", n=write_count(density.n), width=scale.length(density.bandwidth)
     )
     caption = f"{caption} {marks.band_words([density.n], pointwise=True)}"
     return Drawing(svg(draw, title, marks.add_header_row(HALF, shown)), title, caption)
@@ -170,7 +171,7 @@ def _side_by_side(
         else []
     )
     sentences += (
-        [sentence_of_key("report-fig-by-left-out", n=count(groups.left_out))] if groups.left_out else []
+        [sentence_of_key("report-fig-by-left-out", n=write_count(groups.left_out))] if groups.left_out else []
     )
     caption = " ".join(sentences)
     sheet = Sheet(FULL.width, 12.0 + marks.ROW_MM * len(rows), left=40.0, right=3.0)

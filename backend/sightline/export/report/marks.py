@@ -11,7 +11,8 @@ from sightline.enums import LengthUnit
 from sightline.export.report.canvas import FAINT, INK, MUTED, Sheet
 from sightline.export.report.labels import Named, write
 from sightline.export.report.said import sentence_of_key
-from sightline.export.report.units import HEIGHT, count, limit
+from sightline.export.report.units import HEIGHT, limit
+from sightline.messages import write_count
 from sightline.statistics.distributions import Density, Ecdf, Percentile
 from sightline.statistics.summary import Distribution
 
@@ -80,7 +81,7 @@ def band_words(counts: Sequence[int], *, pointwise: bool = False) -> str:
     if any(n >= LEAST_FOR_A_BAND for n in counts):
         sentences.append(sentence_of_key("report-fig-band-pointwise" if pointwise else "report-fig-band"))
     if any(n < LEAST_FOR_A_BAND for n in counts):
-        sentences.append(sentence_of_key("report-fig-no-band", least=count(LEAST_FOR_A_BAND)))
+        sentences.append(sentence_of_key("report-fig-no-band", least=write_count(LEAST_FOR_A_BAND)))
     return " ".join(sentences)
 
 
@@ -116,7 +117,7 @@ def spread_rows(axes: Axes, rows: Sequence[tuple[str, Distribution]], factor: fl
     """Named groups below each other (`spread_row`), each name with how many vehicles it is of."""
     for k, (_, found) in enumerate(rows):
         spread_row(axes, k, found, factor)
-    axes.set_yticks(range(len(rows)), labels=[f"{word}  ({count(one.n)})" for word, one in rows])
+    axes.set_yticks(range(len(rows)), labels=[f"{word}  ({write_count(one.n)})" for word, one in rows])
     axes.set_ylim(len(rows) - 0.4, -0.6)
     axes.tick_params(axis="y", length=0)
     axes.grid(axis="y", visible=False)

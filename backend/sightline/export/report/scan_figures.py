@@ -7,8 +7,9 @@ from sightline.export.report import marks
 from sightline.export.report.canvas import HALF, Drawing, svg
 from sightline.export.report.marks import MAIN
 from sightline.export.report.said import sentence_of_key
-from sightline.export.report.units import SPEED, WAY, Scale, count, format_fixed
+from sightline.export.report.units import SPEED, WAY, Scale, format_fixed
 from sightline.export.report.words import QUANTITIES
+from sightline.messages import write_count
 from sightline.scans.statistics.service import ScanStatistics, Spread
 
 _SECONDS = Scale(1.0, "s", 2)
@@ -46,6 +47,6 @@ def _cumulative(spread: Spread, scale: Scale) -> Drawing:
         axes.margins(x=0.02)
 
     listed = ", ".join(f"P{format_fixed(each.percent, 0)} {scale.length(each.value)}" for each in chosen)
-    caption = sentence_of_key("report-fig-scanned-caption", n=count(spread.n), percentiles=listed)
+    caption = sentence_of_key("report-fig-scanned-caption", n=write_count(spread.n), percentiles=listed)
     caption = f"{caption} {marks.band_words([curve.n])}"
     return Drawing(svg(draw, title, HALF), title, caption)

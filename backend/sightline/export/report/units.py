@@ -82,11 +82,6 @@ def decimal(text: str) -> str:
     return text.replace(".", sentence_of_key("report-decimal-sign"))
 
 
-def count(number: int) -> str:
-    """Thousands apart by a narrow space that does not break."""
-    return f"{number:,}".replace(",", "\u202f") if number >= 10_000 else str(number)
-
-
 def percent(share: float, digits: int = 1) -> str:
     """A share in per cent."""
     return f"{format_fixed(100.0 * share, digits)}\u00a0%"

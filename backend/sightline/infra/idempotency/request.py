@@ -2,7 +2,7 @@
 
 import hmac
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from contextvars import ContextVar
 
 from sightline.infra.database.types import now
@@ -34,11 +34,8 @@ class KeyedRequest:
     @contextmanager
     def current(self) -> Iterator[None]:
         """It is `keyed_request()` of everything that is called meanwhile."""
-        token = _current.set(self)
-        try:
+        with _working_on(self):
             yield
-        finally:
-            _current.reset(token)
 
 
 _current: ContextVar[KeyedRequest | None] = ContextVar("keyed_request", default=None)
@@ -47,3 +44,17 @@ _current: ContextVar[KeyedRequest | None] = ContextVar("keyed_request", default=
 def keyed_request() -> KeyedRequest | None:
     """The request that is being worked on; None where it bears no key, and outside of requests."""
     return _current.get()
+
+
+def beside_request() -> AbstractContextManager[None]:
+    """What is written meanwhile is not what the request asks for: its key is not stored with it."""
+    return _working_on(None)
+
+
+@contextmanager
+def _working_on(request: KeyedRequest | None) -> Iterator[None]:
+    token = _current.set(request)
+    try:
+        yield
+    finally:
+        _current.reset(token)

@@ -111,6 +111,11 @@ def kinds() -> list[str]:
     return list(_handlers)
 
 
+def housekeeping() -> list[str]:
+    """The kinds that the program asks for itself and nobody cancels: once done, they are no news."""
+    return [kind for kind, known in _handlers.items() if not known.cancellable]
+
+
 def is_long(kind: str) -> bool:
     """Whether jobs of this kind keep others waiting; of a kind that nobody here knows, they may."""
     known = handler_of(kind)
@@ -139,8 +144,7 @@ def cancel(session: Session, job: Job, actor: int) -> Job:
 
     Raises Conflict for one that has ended, and for a kind that nobody cancels.
     """
-    handler = handler_of(job.kind)
-    if handler is not None and not handler.cancellable:
+    if job.kind in housekeeping():
         raise Conflict("jobs-not-to-be-cancelled")
     asked = request_job_cancel(session, job.id, actor=actor)
     if asked.state == "cancelled":

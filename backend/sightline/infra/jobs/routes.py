@@ -34,8 +34,18 @@ def list_jobs(
     survey_id: Annotated[SurveyId | None, Query()] = None,
     state: Annotated[JobState | None, Query()] = None,
 ) -> list[JobBody]:
-    """The newest hundred jobs of surveys and studies that the person sees, and of none."""
-    found = store.list_jobs(session, survey_id=survey_id, state=state, seen=seen, seen_studies=seen_studies)
+    """The newest hundred jobs of surveys and studies that the person sees, and of none.
+
+    What the program does for itself, such as deleting files, is listed until it is done.
+    """
+    found = store.list_jobs(
+        session,
+        survey_id=survey_id,
+        state=state,
+        seen=seen,
+        seen_studies=seen_studies,
+        unless_done=registry.housekeeping(),
+    )
     return [JobBody.model_validate(one) for one in found]
 
 

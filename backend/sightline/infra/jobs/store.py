@@ -69,10 +69,15 @@ def list_jobs(
     state: JobState | None = None,
     seen: Collection[int] | None = None,
     seen_studies: Collection[int] | None = None,
+    unless_done: Collection[str] = (),
     limit: int = 100,
 ) -> tuple[Job, ...]:
-    """Jobs, newest first; `seen`, `seen_studies`: only those of these surveys and studies, and of none."""
+    """Jobs, newest first; `seen`, `seen_studies`: only those of these surveys and studies, and of none.
+
+    `unless_done`: the kinds of which those that are done are left out.
+    """
     query = select(jobs).order_by(jobs.c.id.desc()).limit(limit)
+    query = query.where(or_(jobs.c.state != "done", jobs.c.kind.not_in(unless_done)))
     if seen is not None:
         query = query.where(or_(jobs.c.survey_id.in_(seen), jobs.c.survey_id.is_(None)))
     if seen_studies is not None:

@@ -6,10 +6,11 @@ from fnmatch import fnmatchcase
 from types import NoneType
 from typing import Annotated, Any, TypeVar, cast, get_args, get_type_hints
 
-from pydantic import BaseModel, ConfigDict, Field, create_model, field_validator
+from pydantic import BaseModel, ConfigDict, Field, computed_field, create_model, field_validator
 from pydantic_core import PydanticCustomError
 
 from sightline.arrays import Floats
+from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.messages.said import Said, SaidInWords
 
@@ -103,6 +104,13 @@ _ITS_WORK = ("payload", "created_by", "started_at", "attempts", "worker", "cance
 @of_record(Job, *_ITS_WORK, "outages", "not_before")
 class JobBody(Out):
     error: Annotated[Said | None, Field(description="Why it failed.")]
+
+    @computed_field  # type: ignore[prop-decorator]
+    @property
+    def cancellable(self) -> bool:
+        """Whether it may be cancelled: it is not over, and of a kind that people cancel."""
+        job = cast(Job, self)
+        return job.state in ("queued", "running") and job.kind not in registry.housekeeping()
 
     @field_validator("result", check_fields=False)
     @classmethod

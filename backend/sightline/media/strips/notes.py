@@ -6,6 +6,7 @@ Lost lines are put back as copies of the line before, so that line n was always 
 
 import json
 import math
+import sys
 from collections import deque
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -79,7 +80,7 @@ def notes_of(document: object, what: str) -> StripNotes:
 
 
 def _is_number(value: object, above: float) -> bool:
-    return type(value) in (int, float) and math.isfinite(value) and value > above  # type: ignore[arg-type, operator]
+    return type(value) in (int, float) and above < value <= sys.float_info.max  # type: ignore[operator]
 
 
 def with_gaps(pieces: Iterator[Pixels], dropped: Sequence[Dropped], most: int) -> Iterator[Pixels]:

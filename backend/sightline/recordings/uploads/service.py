@@ -16,7 +16,7 @@ from sightline.errors import Conflict, NoRoom, NotFound, SightlineError, TooMany
 from sightline.infra.database import Session
 from sightline.infra.database.types import now
 from sightline.infra.services import Services
-from sightline.infra.stored_bytes import let_go, suffix_of
+from sightline.infra.stored_bytes import let_go, store_file, suffix_of
 from sightline.media.store import upload_parts
 from sightline.media.store.local import free_bytes, key_of
 from sightline.recordings.ingest_job import queue_ingest
@@ -191,14 +191,16 @@ def _store_upload(
     # A strip goes when its scan is read, so it is never one file with what stays.
     word = "-strip" if upload.purpose == "strip" else ""
     key = key_of(whole.sha256, word + suffix_of(upload.filename))
-    noted = None
-    while noted is None:
-        # Linked where the store can: a copy would need the room twice. The part is discarded further down.
-        services.media.put_file(key, whole.path, link=True)
-        with services.writing() as session:
-            # What had the same content may have been deleted since, with its file; from here on it stays.
-            if services.media.exists(key):
-                noted = note(session, upload_id, actor, key, whole)
+    # Linked where the store can: a copy would need the room twice. The part is discarded further down.
+    noted = store_file(
+        services,
+        upload.survey_id,
+        key,
+        whole.path,
+        lambda session: note(session, upload_id, actor, key, whole),
+        actor=actor,
+        link=True,
+    )
     upload_parts.discard(upload_folder(services), part_name(upload_id))
     return noted
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import Any, get_args
 
 from sqlalchemy import ColumnElement, Select, and_, case, func, select
@@ -18,7 +19,7 @@ from sightline.results.overview.package_query import changes_since_packages
 from sightline.results.overview.records import ChangesSince, Step, SurveyCounts, SurveyOverview
 from sightline.results.sampling.query import pass_answers, with_answers
 from sightline.results.tables import exports
-from sightline.scans.progress_query import no_scans, scan_progress_of
+from sightline.scans.progress_query import SURVEY_IDS, no_scans, scan_progress_of
 from sightline.scans.records import ScanProgress
 from sightline.surveys import store as surveys
 from sightline.surveys.records import Survey
@@ -55,15 +56,7 @@ def _overviews(session: Session, of: Sequence[Survey]) -> tuple[SurveyOverview, 
     if not of:
         return ()
     survey_ids = [survey.id for survey in of]
-    tables = [
-        _by_survey(session, query)
-        for query in (
-            _camera_facts(survey_ids),
-            _recording_facts(survey_ids),
-            _measurement_facts(survey_ids),
-            _package_facts(survey_ids),
-        )
-    ]
+    tables = [_by_survey(session, query, survey_ids) for query in _fact_queries()]
     newest = [facts["newest_export"] for facts in tables[-1].values()]
     since = changes_since_packages(session, newest)
     tables.append(_answered_vehicles(session, of))
@@ -103,24 +96,27 @@ def _sum(condition: ColumnElement[bool]) -> ColumnElement[Any]:
     return func.coalesce(func.sum(case((condition, 1), else_=0)), 0)
 
 
-def _grouped(
-    survey_id: Any, survey_ids: Sequence[int], where: Iterable[ColumnElement[bool]], **named: Any
-) -> Select[Any]:
+@cache
+def _fact_queries() -> tuple[Select[Any], ...]:
+    """Built once: building them takes longer than asking."""
+    return _camera_facts(), _recording_facts(), _measurement_facts(), _package_facts()
+
+
+def _grouped(survey_id: Any, where: Iterable[ColumnElement[bool]], **named: Any) -> Select[Any]:
     columns = [value.label(name) for name, value in named.items()]
-    query = select(survey_id.label("survey_id"), *columns).where(survey_id.in_(survey_ids), *where)
+    query = select(survey_id.label("survey_id"), *columns).where(survey_id.in_(SURVEY_IDS), *where)
     return query.group_by(survey_id)
 
 
-def _camera_facts(survey_ids: Sequence[int]) -> Select[Any]:
+def _camera_facts() -> Select[Any]:
     calibrated = _sum(cameras.c.current_calibration_id.is_not(None))
-    return _grouped(cameras.c.survey_id, survey_ids, [], cameras=func.count(), calibrated_cameras=calibrated)
+    return _grouped(cameras.c.survey_id, [], cameras=func.count(), calibrated_cameras=calibrated)
 
 
-def _recording_facts(survey_ids: Sequence[int]) -> Select[Any]:
+def _recording_facts() -> Select[Any]:
     ready = recordings.c.state == "ready"
     return _grouped(
         recordings.c.survey_id,
-        survey_ids,
         [recordings.c.deleted_at.is_(None)],
         recordings=func.count(),
         ready=_sum(ready),
@@ -130,12 +126,12 @@ def _recording_facts(survey_ids: Sequence[int]) -> Select[Any]:
     )
 
 
-def _package_facts(survey_ids: Sequence[int]) -> Select[Any]:
+def _package_facts() -> Select[Any]:
     newest = func.max(exports.c.id)
-    return _grouped(exports.c.survey_id, survey_ids, [], exports=func.count(), newest_export=newest)
+    return _grouped(exports.c.survey_id, [], exports=func.count(), newest_export=newest)
 
 
-def _measurement_facts(survey_ids: Sequence[int]) -> Select[Any]:
+def _measurement_facts() -> Select[Any]:
     survey_id = measurement_series.c.survey_id
     return (
         with_verdict(
@@ -146,7 +142,7 @@ def _measurement_facts(survey_ids: Sequence[int]) -> Select[Any]:
             _sum(verdict == "rejected").label("rejected"),
         )
         .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
-        .where(survey_id.in_(survey_ids), *_STANDING)
+        .where(survey_id.in_(SURVEY_IDS), *_STANDING)
         .group_by(survey_id)
     )
 
@@ -158,15 +154,11 @@ def _answered_vehicles(session: Session, of: Sequence[Survey]) -> dict[int, dict
     Vehicles are counted by what they have, a few dozen ways, and judged by what their survey asks for; where
     a survey takes a sample, each pass is looked at.
     """
-    of_survey = vehicles.c.survey_id
-    wanted = (of_survey.in_([survey.id for survey in of]), vehicles.c.discarded.is_(None))
-    each = with_answers(of_survey, vehicles.c.check_target).where(*wanted).subquery()
-    ways = [column for column in each.c if column.name != "id"]
     by_id = {survey.id: survey for survey in of}
     by_survey: dict[int, dict[str, int]] = {
         survey.id: {"vehicles": 0, "vehicles_measured": 0, "not_visible": 0} for survey in of
     }
-    for row in session.execute(select(*ways, func.count().label("count")).group_by(*ways)).mappings():
+    for row in session.execute(_answers_query(), {SURVEY_IDS.key: list(by_id)}).mappings():
         survey, counts = by_id[row["survey_id"]], by_survey[row["survey_id"]]
         hidden = {target for target, name in NOT_VISIBLE.items() if row[name] is not None}
         counts["not_visible"] += row["count"] * len(hidden)
@@ -184,10 +176,20 @@ def _answered_vehicles(session: Session, of: Sequence[Survey]) -> dict[int, dict
     return by_survey
 
 
-def _by_survey(session: Session, query: Select[Any]) -> dict[int, dict[str, int]]:
+@cache
+def _answers_query() -> Select[Any]:
+    """How many vehicles have what, by survey."""
+    of_survey = vehicles.c.survey_id
+    wanted = (of_survey.in_(SURVEY_IDS), vehicles.c.discarded.is_(None))
+    each = with_answers(of_survey, vehicles.c.check_target).where(*wanted).subquery()
+    ways = [column for column in each.c if column.name != "id"]
+    return select(*ways, func.count().label("count")).group_by(*ways)
+
+
+def _by_survey(session: Session, query: Select[Any], survey_ids: Sequence[int]) -> dict[int, dict[str, int]]:
     return {
         row["survey_id"]: {str(key): int(value) for key, value in row.items() if key != "survey_id"}
-        for row in session.execute(query).mappings()
+        for row in session.execute(query, {SURVEY_IDS.key: survey_ids}).mappings()
     }
 
 

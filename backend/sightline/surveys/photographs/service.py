@@ -2,8 +2,9 @@
 
 from sightline.errors import Damaged, NotFound
 from sightline.infra.csv_package.schema import sha256_hex
+from sightline.infra.database import Session
 from sightline.infra.services import Services
-from sightline.infra.stored_bytes import put_bytes
+from sightline.infra.stored_bytes import store_bytes
 from sightline.media.images import jpeg
 from sightline.surveys.photographs.records import Photograph
 from sightline.surveys.photographs.store import add_photograph, require_photograph_room
@@ -27,8 +28,8 @@ def store_photograph(
     picture = services.frames.image_bgr(content, name, MOST_SIDE_PX)
     height, width = picture.shape[:2]
     kept = jpeg(picture, JPEG_QUALITY)
-    key = put_bytes(services, kept, _SUFFIX)
-    with services.writing() as session:
+
+    def note(session: Session, key: str) -> Photograph:
         return add_photograph(
             session,
             survey_id,
@@ -41,6 +42,8 @@ def store_photograph(
             height_px=int(height),
             actor=actor,
         )
+
+    return store_bytes(services, survey_id, kept, _SUFFIX, note, actor=actor)
 
 
 def photograph_content(services: Services, photograph: Photograph) -> bytes:

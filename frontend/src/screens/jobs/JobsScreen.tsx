@@ -85,12 +85,12 @@ function pageLink(job: Job, survey: string) {
 
 function Actions({ job, run }: { job: Job; run(work: () => Promise<unknown>): Promise<unknown> }) {
   if (!may("operator")) return null;
-  if (!isOver(job)) {
+  if (job.cancellable) {
     return (
       <Button says="action-cancel" small kind="quiet" onClick={() => void run(() => cancelJob(job.id))} />
     );
   }
-  if (job.state === "done") return null;
+  if (!isOver(job) || job.state === "done") return null;
   const again = async () => {
     await api.write("POST /jobs/{job_id}/again", { job_id: job.id });
     toast(say("jobs-begun-again"));

@@ -57,7 +57,9 @@ export class Judging {
     this.busy = true;
     await this.bench.change(say("scan-wish-verdict", named), async (changes) => {
       await changes.write(this.scanned.verdicts, id, { verdict, reason: reason ?? null });
-      if (verdict !== "reopened") this.goOn(id, say("scan-verdict-done", { ...named, verdict }));
+      const kept = this.keptMotions.value.has(id) ? say("review-verdict-kept") : null;
+      if (verdict !== "reopened") this.goOn(id, kept ?? say("scan-verdict-done", { ...named, verdict }));
+      else if (kept) toast(kept);
     });
     this.busy = false;
   }

@@ -267,6 +267,17 @@ describe("judging vehicles of a line scan", () => {
     expect(model.chosenId.value).toBe(4);
   });
 
+  it("says of a verdict that waits for the connection that it is kept, and goes on", async () => {
+    server.down = true;
+    for (const verdict of ["accepted", "reopened"] as const) {
+      toasts.value = [];
+      void model.judging.review(verdict);
+      await quiet();
+      expect(toasts.value.map((one) => one.text)).toEqual([say("review-verdict-kept")]);
+      expect(model.chosenId.value).toBe(4);
+    }
+  });
+
   it("stays where something else was chosen meanwhile", async () => {
     void model.judging.review("accepted");
     model.choose(5);

@@ -2,7 +2,7 @@
 import { render } from "preact";
 import { afterEach, expect, it, vi } from "vitest";
 import { FakeServer } from "../../../testing/server";
-import { Conclusion, SamplePlan } from "./StatisticsScreen";
+import { ByLot, Conclusion, SamplePlan } from "./StatisticsScreen";
 
 afterEach(() => {
   render(null, document.body);
@@ -48,4 +48,12 @@ it("says why there is no conclusion in the place of an earlier one", async () =>
   render(<Conclusion surveyId={1} of={2} />, document.body);
   await vi.waitFor(() => expect(document.body.textContent).toContain("(status 400)"));
   expect(document.body.textContent).not.toContain("Eyes are at 1.1 m.");
+});
+
+it("says that it is not known how many heights were accepted by lot", async () => {
+  new FakeServer().on("GET", /\/lots\/summary$/, () => {
+    throw 400;
+  });
+  render(<ByLot surveyId={1} />, document.body);
+  await vi.waitFor(() => expect(document.body.textContent).toContain("(status 400)"));
 });

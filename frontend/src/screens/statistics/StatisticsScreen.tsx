@@ -111,8 +111,9 @@ function Without({ what, count, page }: { what: "time" | "class"; count: number;
 }
 
 /** Said where lots were accepted: those heights were not looked at one by one. */
-function ByLot({ surveyId }: { surveyId: number }) {
+export function ByLot({ surveyId }: { surveyId: number }) {
   const summary = useAsked("GET /surveys/{survey_id}/lots/summary", { survey_id: surveyId });
+  if (summary.error) return <Problem error={summary.error} again={summary.reload} />;
   if (!summary.data || summary.data.by_lot === 0) return null;
   return (
     <p class="small" data-testid="stat-by-lot">
