@@ -13,10 +13,9 @@ from collections.abc import Callable, Iterator
 from functools import cache, lru_cache
 from typing import Any
 
-import numpy as np
 import pytest
 
-from tests.simulation import backdrop, scan_strips
+from tests.simulation import backdrop, scan_art, scan_strips
 from tests.support.kept import run_folder
 from tests.support.proofs import PROOFS
 
@@ -67,21 +66,25 @@ def drawn_once(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) 
 
 @pytest.fixture(scope="session", autouse=True)
 def scenes_drawn_once(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """Empty roads and strips, by all that goes into them; the workers of a run share them."""
+    """Empty roads, vehicles and strips, by all that goes into them; the workers of a run share them."""
     shared = run_folder(tmp_path_factory)
 
     def kept(draw: Callable[..., Any]) -> Callable[..., Any]:
         def drawn(*given: Any) -> Any:
-            place = shared / f"{draw.__name__}-{hashlib.sha256(pickle.dumps(given)).hexdigest()}.npy"
+            place = shared / f"{draw.__name__}-{hashlib.sha256(pickle.dumps(given)).hexdigest()}"
             if not place.exists():
-                part = place.with_suffix(f".{os.getpid()}.npy")
-                np.save(part, draw(*given))
+                part = place.with_suffix(f".{os.getpid()}")
+                part.write_bytes(pickle.dumps(draw(*given), pickle.HIGHEST_PROTOCOL))
                 part.replace(place)
-            return np.load(place)
+            return pickle.loads(place.read_bytes())
 
         return drawn
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(backdrop, "empty_road", lru_cache(maxsize=4)(kept(backdrop.empty_road)))
         patch.setattr(scan_strips, "whole_strips", kept(scan_strips.whole_strips))
+        for name in ("_side", "_turning", "_body"):
+            drawing = getattr(scan_art, name)
+            most = drawing.cache_parameters()["maxsize"]
+            patch.setattr(scan_art, name, lru_cache(maxsize=most)(kept(drawing)))
         yield
