@@ -15,13 +15,22 @@ from typing import Any
 
 import pytest
 
-from tests.simulation import backdrop, scan_art, scan_strips
+from tests.simulation import backdrop, board, render, scan_art, scan_strips
 from tests.support.kept import run_folder
 from tests.support.proofs import PROOFS
 
 # What says of the drawing itself that the same tables give the same bytes draws every time.
 _DRAWN_ANEW = ("test_export_language", "test_figures", "test_report")
 _SAME_BYTES = ("test_the_same_facts_give_the_same_bytes", "test_the_button_makes_a_package")
+# What scenes are drawn of, and the modules that call it.
+_SCENERY: tuple[tuple[Any, ...], ...] = (
+    (backdrop.empty_road, backdrop),
+    (board.board_backdrop, board, render),
+    (render.vehicle_kit, render),
+    (scan_art._side, scan_art),
+    (scan_art._turning, scan_art),
+    (scan_art._body, scan_art),
+)
 _MOST = 400  # what a session keeps; the oldest goes first
 
 
@@ -81,10 +90,9 @@ def scenes_drawn_once(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None
         return drawn
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(backdrop, "empty_road", lru_cache(maxsize=4)(kept(backdrop.empty_road)))
         patch.setattr(scan_strips, "whole_strips", kept(scan_strips.whole_strips))
-        for name in ("_side", "_turning", "_body"):
-            drawing = getattr(scan_art, name)
-            most = drawing.cache_parameters()["maxsize"]
-            patch.setattr(scan_art, name, lru_cache(maxsize=most)(kept(drawing)))
+        for draw, *places in _SCENERY:
+            again = lru_cache(maxsize=draw.cache_parameters()["maxsize"])(kept(draw.__wrapped__))
+            for module in places:
+                patch.setattr(module, draw.__name__, again)
         yield
