@@ -89,6 +89,15 @@ def clean(pair: tuple[Pixels, Pixels]) -> list[LiveVehicle]:
     return run_of(Played(pair))[0]
 
 
+@pytest.fixture(scope="module")
+def twice(pair: tuple[Pixels, Pixels], clean: list[LiveVehicle]) -> tuple[Pixels, Pixels]:
+    """The first two vehicles, and again: up to the middle of the road between the second and the third."""
+    second, third = (one.vehicle.motion.crossings for one in clean[1:3])
+    cut = int(second.rear_line_2 + third.front_line_1) // 2
+    first, other = (np.concatenate([one[:cut], one[:cut]]) for one in pair)
+    return first, other
+
+
 def test_lost_lines_are_listed_in_the_files_and_spoil_only_whom_they_hit(
     pair: tuple[Pixels, Pixels], clean: list[LiveVehicle], tmp_path: Path
 ) -> None:
@@ -261,11 +270,11 @@ def test_swapped_cameras_are_said_while_the_stream_goes_on(pair: tuple[Pixels, P
 
 
 def test_segments_begin_where_the_road_is_empty_and_lose_nothing(
-    pair: tuple[Pixels, Pixels], tmp_path: Path
+    twice: tuple[Pixels, Pixels], tmp_path: Path
 ) -> None:
-    twice = tuple(np.concatenate([one, one]) for one in pair)
-    whole, _ = run_of(Played(twice))  # type: ignore[arg-type]
-    live, _ = run_of(Played(twice), tmp_path, segment_s=1.5)  # type: ignore[arg-type]
+    whole, _ = run_of(Played(twice))
+    assert len(whole) == 4
+    live, _ = run_of(Played(twice), tmp_path, segment_s=1.5)
     assert [one.vehicle.number for one in live] == list(range(1, len(whole) + 1))
     assert max(one.segment for one in live) >= 2
     kept = [open_strip(path, "height").lines for path in sorted(tmp_path.glob("*-camera-1.tif"))]
@@ -277,10 +286,9 @@ def test_segments_begin_where_the_road_is_empty_and_lose_nothing(
 
 
 def test_a_disk_that_is_full_where_a_segment_begins_ends_the_keeping_only(
-    pair: tuple[Pixels, Pixels], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    twice: tuple[Pixels, Pixels], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    twice = tuple(np.concatenate([pixels, pixels]) for pixels in pair)
-    whole, _ = run_of(Played(twice), segment_s=1.5)  # type: ignore[arg-type]
+    whole, _ = run_of(Played(twice), segment_s=1.5)
     truncate = spool.Spool._put_words
 
     def full(made: spool.Spool) -> None:
@@ -289,7 +297,7 @@ def test_a_disk_that_is_full_where_a_segment_begins_ends_the_keeping_only(
         truncate(made)
 
     monkeypatch.setattr(spool.Spool, "_put_words", full)
-    told, said = run_of(Played(twice), tmp_path, segment_s=1.5)  # type: ignore[arg-type]
+    told, said = run_of(Played(twice), tmp_path, segment_s=1.5)
     in_turn = [(one.segment, one.vehicle.number, one.vehicle.motion.speed_mps) for one in told]
     assert in_turn == [(one.segment, one.vehicle.number, one.vehicle.motion.speed_mps) for one in whole]
     assert told[-1].segment >= 2
