@@ -113,7 +113,9 @@ def _edges(site: ScanSite, camera: int, far: bool) -> Array:
 def _to_rows(picture: Floats, top_m: float, ppm: float, edges_m: Array) -> Floats:
     """Box means (rows, w) of a picture (h, w) between row edges; what lies beyond the picture is 0."""
     sums = np.zeros((len(picture) + 1, picture.shape[1]))
-    for row, above, below in zip(picture, sums, sums[1:], strict=False):  # NumPy's own takes four times as long
+    for row, above, below in zip(
+        picture, sums, sums[1:], strict=False
+    ):  # NumPy's own takes four times as long
         np.add(above, row, out=below)
     place = np.clip((top_m - edges_m) * ppm, 0, len(picture))
     values = _at(sums, place)
