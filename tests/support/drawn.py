@@ -10,9 +10,11 @@ import os
 import pickle
 import sys
 from collections.abc import Callable, Iterator
+from dataclasses import fields, is_dataclass
 from functools import cache, lru_cache
 from typing import Any
 
+import numpy as np
 import pytest
 
 from tests.simulation import backdrop, board, render, scan_art, scan_strips
@@ -92,7 +94,30 @@ def scenes_drawn_once(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(scan_strips, "whole_strips", kept(scan_strips.whole_strips))
         for draw, *places in _SCENERY:
-            again = lru_cache(maxsize=draw.cache_parameters()["maxsize"])(kept(draw.__wrapped__))
+            read = _unchanged(kept(draw.__wrapped__))
+            again = lru_cache(maxsize=draw.cache_parameters()["maxsize"])(read)
             for module in places:
                 patch.setattr(module, draw.__name__, again)
         yield
+
+
+def _unchanged(read: Callable[..., Any]) -> Callable[..., Any]:
+    """Gives arrays that cannot be written to, for the next test is given the same."""
+
+    def held(*given: Any) -> Any:
+        made = read(*given)
+        _hold(made)
+        return made
+
+    return held
+
+
+def _hold(made: Any) -> None:
+    if isinstance(made, np.ndarray):
+        made.flags.writeable = False
+    elif isinstance(made, tuple):
+        for one in made:
+            _hold(one)
+    elif is_dataclass(made):
+        for field in fields(made):
+            _hold(getattr(made, field.name))
