@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import click
 
+from sightline.children import kept_for_good
 from sightline.errors import SightlineError
 
 # name -> where it is; a command's module is imported when the command is asked for, so that --help is quick
@@ -58,7 +59,8 @@ class LazyCommands(click.Group):
             return None
         _one_thread_for_algebra()
         module, name = place.split(":")
-        command = getattr(importlib.import_module(module), name)
+        with kept_for_good():
+            command = getattr(importlib.import_module(module), name)
         assert isinstance(command, click.Command)
         return command
 

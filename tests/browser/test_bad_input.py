@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
-from tests.media.clips import Spec, write
+from tests.media.clips import QVGA, Spec, write
 from tests.support.boards import POSES, picture_bytes, view
 
 from .picture import on_screen
@@ -65,7 +65,7 @@ def no_videos(tmp_path: Path) -> dict[str, Path]:
     text.write_text("Dear operator,\nplease find attached the video.\n")
     empty.write_bytes(b"")
     still.write_bytes(cv2.imencode(".png", np.full((48, 64, 3), 90, np.uint8))[1].tobytes())
-    whole = write(tmp_path / "whole.mp4", Spec("whole.mp4"), 40).read_bytes()
+    whole = write(tmp_path / "whole.mp4", Spec("whole.mp4", size=QVGA), 40).read_bytes()
     cut = tmp_path / "cut.mp4"
     cut.write_bytes(whole[: len(whole) // 2])
     return {
@@ -87,9 +87,9 @@ def test_what_is_no_video_is_refused_in_one_sentence(
 ) -> None:
     survey = new_survey(page, "Bad videos")
     page.goto(f"/surveys/{survey}/recordings")
-    good = write(tmp_path / "good.mp4", Spec("good.mp4"), 30)
+    good = write(tmp_path / "good.mp4", Spec("good.mp4", size=QVGA), 30)
     torn = tmp_path / "torn.mp4"
-    front = Spec("whole.mp4", muxer=(("movflags", "+faststart"),))
+    front = Spec("whole.mp4", size=QVGA, muxer=(("movflags", "+faststart"),))
     whole = write(tmp_path / "index-in-front.mp4", front, 60).read_bytes()
     torn.write_bytes(whole[: int(len(whole) * 0.6)])
     files = [*no_videos.values(), good, torn]

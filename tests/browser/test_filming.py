@@ -79,7 +79,7 @@ def test_a_rate_is_stated_and_another_picture_imported(
     pictures.get_by_role("button", name="Import video track 2 of two.mp4").click()
     second = page.get_by_role("article").filter(has_text="two.mp4 (2)")
     expect(second.get_by_test_id("pictures")).to_contain_text("Video track 2 of 2", timeout=60_000)
-    expect(second).to_contain_text("640 × 480")
+    expect(second).to_contain_text("320 × 240")
     second.scroll_into_view_if_needed()
     page.screenshot(path=screenshots / "filming-pictures.png")
     page.set_viewport_size({"width": 1024, "height": 768})

@@ -7,7 +7,7 @@ from playwright.sync_api import Page, Route, expect
 
 from tests.browser.server import Server
 from tests.browser.signed_in import client_of
-from tests.media.clips import Spec, write
+from tests.media.clips import QVGA, Spec, write
 
 FRAMES = 140
 FAR = 131
@@ -17,7 +17,9 @@ def recording_with_a_pass(page: Page, base_url: str, folder: Path) -> tuple[int,
     """Survey and recording, uploaded with the browser's session, and a pass with its best frame at 70."""
     client = client_of(page, base_url)
     survey = client.post("/surveys", name="Jumps")["id"]
-    recording = client.upload(survey, write(folder / "jump.mp4", Spec("jump.mp4", gop=250, count=FRAMES)))
+    recording = client.upload(
+        survey, write(folder / "jump.mp4", Spec("jump.mp4", size=QVGA, gop=250, count=FRAMES))
+    )
     client.ready(recording)
     client.post(f"/recordings/{recording}/vehicles", first_frame=60, last_frame=80, best_frame=70)
     client.http.close()

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from sightline.cli import main
-from sightline.infra.database.engine import make_engine, migrate
+from tests.support.kept import Shelf, lay_sqlite
 
 ROWS = (
     "make,model,year_from,height_m,taillight_m\n"
@@ -17,11 +17,9 @@ ROWS = (
 
 
 @pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def folder(tmp_path: Path, shelf: Shelf, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A data folder with an empty database, and a list of models beside it."""
-    engine = make_engine(f"sqlite:///{tmp_path / 'data' / 'sightline.db'}")
-    migrate(engine)
-    engine.dispose()
+    lay_sqlite(shelf, tmp_path / "data")
     (tmp_path / "cars.csv").write_text(ROWS)
     monkeypatch.chdir(tmp_path)
     return tmp_path

@@ -439,14 +439,19 @@ def test_a_single_vehicles_motion_gives_its_time_before_the_camera(
 
 
 @pytest.mark.parametrize(
-    ("vehicles", "gaps_s"), [(5, (0.6, 1.4)), pytest.param(690, (0.6, 9.0), marks=pytest.mark.proof)]
+    ("seed", "vehicles", "gaps_s"),
+    [(5, 3, (0.6, 1.4)), pytest.param(31, 690, (0.6, 9.0), marks=pytest.mark.proof)],
 )
 def test_simulated_traffic_against_its_truth(
-    vehicles: int, gaps_s: tuple[float, float], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    seed: int,
+    vehicles: int,
+    gaps_s: tuple[float, float],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     """From strips to intervals; with 690 vehicles an hour of them."""
     site = ScanSite(rows=64, line_rate_hz=2000.0)
-    cars = traffic(31, vehicles, speeds_mps=(14.0, 30.0), gaps_s=gaps_s)
+    cars = traffic(seed, vehicles, speeds_mps=(14.0, 30.0), gaps_s=gaps_s)
     true, duration_s = truths(site, cars), cars[-1].clear_s(site.baseline_m) + 0.4
     path = tmp_path / "recording.json"
     path.write_text(json.dumps(scanned(site, cars, duration_s)))

@@ -1,5 +1,6 @@
 """`sightline import` against a server in a process of its own, with a token that somebody made."""
 
+import io
 import json
 import os
 import re
@@ -8,6 +9,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
+from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -16,11 +18,12 @@ import httpx2
 import numpy as np
 import pytest
 
+from sightline.cli import main
 from sightline.commands import remote
 from sightline.commands.remote import Away, Remote
 from sightline.errors import BadInput
 from sightline.media.video.writer import write_mp4
-from tests.commands.running import Server, environment, sightline
+from tests.commands.running import Server, environment
 from tests.media.clips import painted
 from tests.support.waiting import NEVER_S, until
 
@@ -32,6 +35,17 @@ def ctrl_c_is_heard() -> None:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+def run_import(*arguments: str, token: str) -> "subprocess.CompletedProcess[str]":
+    """`sightline import` in this process, without any other setting of Sightline's."""
+    out, err = io.StringIO(), io.StringIO()
+    with redirect_stdout(out), redirect_stderr(err), pytest.MonkeyPatch.context() as patch:
+        for name in [name for name in os.environ if name.startswith("SIGHTLINE_")]:
+            patch.delenv(name)
+        patch.setenv("SIGHTLINE_TOKEN", token)
+        status = main(["import", *arguments])
+    return subprocess.CompletedProcess(arguments, status, out.getvalue(), err.getvalue())
+
+
 @dataclass
 class Running:
     server: Server
@@ -41,7 +55,7 @@ class Running:
 
     def run(self, *arguments: str, token: str | None = None) -> "subprocess.CompletedProcess[str]":
         place = ("--survey", "Hill road", "--server", self.server.url, "--settle", "0.2")
-        return sightline("import", *arguments, *place, SIGHTLINE_TOKEN=self.token if token is None else token)
+        return run_import(*arguments, *place, token=self.token if token is None else token)
 
     def recordings(self) -> list[dict[str, Any]]:
         found = self.http.get(f"/api/surveys/{self.survey_id}/recordings").json()
@@ -151,10 +165,10 @@ def test_wrong_token_survey_and_address_are_refused_in_words(running: Running, t
     new = video(tmp_path / "new.mp4", 90)
     assert "needs upload" in running.run(str(new), token=read).stderr
     server = ("--server", "http://127.0.0.1:9")
-    away = sightline("import", str(path), "--survey", "x", *server, SIGHTLINE_TOKEN="t")
+    away = run_import(str(path), "--survey", "x", *server, token="t")
     assert away.returncode == 1 and "does not answer" in away.stderr
     server = ("--server", running.server.url)
-    none = sightline("import", str(path), "--survey", "Valley", *server, SIGHTLINE_TOKEN=running.token)
+    none = run_import(str(path), "--survey", "Valley", *server, token=running.token)
     assert none.returncode == 2 and "Hill road" in none.stderr
     with pytest.raises(BadInput):
         Remote("file:///etc", "t")

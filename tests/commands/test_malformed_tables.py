@@ -20,12 +20,12 @@ from sightline.commands.clicks import heights_csv
 from sightline.commands.passes_csv import read_passes
 from sightline.commands.tracks_csv import read_tracks
 from sightline.errors import BadInput
-from sightline.infra.database.engine import make_engine, migrate
 from sightline.linescan.rig_calibration import Common
 from sightline.scans.rig.passes_csv import read_rig_passes
 from sightline.studies.fleet_csv import read_fleet, read_sites
 from tests.geometry.scenes import pose_of
 from tests.geometry.simulate import Lens, Scene
+from tests.support.kept import Shelf, lay_sqlite
 
 HEIGHTS = "id,height_m,u_height_m,reference_height_m,lighting,status\n"
 GOOD = "1,1.41,0.005,1.40,daytime,ok\n2,1.52,0.005,1.50,daytime,ok\n3,1.63,0.005,1.60,daytime,ok\n"
@@ -108,12 +108,8 @@ MODELS: dict[str, tuple[str, dict[int, str] | tuple[str, ...]]] = {
 
 
 @pytest.fixture
-def data_dir(tmp_path: Path) -> Path:
-    """A data folder with an empty database."""
-    engine = make_engine(f"sqlite:///{tmp_path / 'data' / 'sightline.db'}")
-    migrate(engine)
-    engine.dispose()
-    return tmp_path / "data"
+def data_dir(tmp_path: Path, shelf: Shelf) -> Path:
+    return lay_sqlite(shelf, tmp_path / "data")
 
 
 @pytest.mark.parametrize("name", MODELS)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import signal
@@ -10,7 +11,7 @@ import sys
 import threading
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, redirect_stdout
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -79,6 +80,19 @@ def said_by(
     printed = capsys.readouterr()
     assert "Traceback" not in printed.err
     return [measured_of(line) for line in printed.out.splitlines()], printed.err
+
+
+@pytest.fixture(scope="module")
+def streamed(pixels: tuple[Pixels, Pixels]) -> list[dict[str, object]]:
+    """What is told of the whole stream where nothing happens to it."""
+    out = io.StringIO()
+    with (
+        pytest.MonkeyPatch.context() as patch,
+        standard_input(mixed(pixels), patch),
+        redirect_stdout(out),
+    ):
+        assert main([*STREAM]) == 0
+    return [measured_of(line) for line in out.getvalue().splitlines()]
 
 
 def measured_of(line: str | bytes) -> dict[str, object]:
@@ -192,12 +206,12 @@ def test_a_full_disk_ends_the_keeping_only(
 
 def test_a_growing_file_is_followed_until_it_rests(
     pixels: tuple[Pixels, Pixels],
+    streamed: list[dict[str, object]],
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     whole = mixed(pixels)
-    batch, _ = said_by(monkeypatch, capsys, whole)
     path = tmp_path / "lines.raw"
     path.write_bytes(b"")
 
@@ -219,7 +233,7 @@ def test_a_growing_file_is_followed_until_it_rests(
     writer.start()
     assert main([*STREAM, "--follow", str(path), "--until-idle", "1"]) == 0
     writer.join()
-    assert [measured_of(line) for line in capsys.readouterr().out.splitlines()] == batch
+    assert [measured_of(line) for line in capsys.readouterr().out.splitlines()] == streamed
 
     assert main([*STREAM, "--follow", str(tmp_path / "none")]) == 2
     assert "give the file that the cameras’ program is writing" in capsys.readouterr().err
@@ -229,12 +243,12 @@ def test_a_growing_file_is_followed_until_it_rests(
 def test_a_killed_stream_is_taken_up_and_says_what_is_missing(
     follow: bool,
     pixels: tuple[Pixels, Pixels],
+    streamed: list[dict[str, object]],
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    whole = mixed(pixels)
-    batch, _ = said_by(monkeypatch, capsys, whole)
+    whole, batch = mixed(pixels), streamed
     # killed while the second vehicle is in view, after the first was told
     in_view = int(batch[1]["front_line_2"]) + 50  # type: ignore[call-overload]
     part = whole[: in_view * 2 * SITE.rows]

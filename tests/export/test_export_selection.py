@@ -20,7 +20,7 @@ from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from sightline.recordings.ingest_job import correct_durations
 from tests.export.report.pdf_text import words
-from tests.media.clips import TICKS, Spec, write
+from tests.media.clips import QVGA, TICKS, Spec, write
 from tests.support.app import Client, add_recording, error_of
 from tests.support.events import events_of
 from tests.support.ground import Ground, add_vehicle, lay_ground, measure
@@ -308,7 +308,7 @@ def test_a_pause_in_a_recording_is_in_every_time(
     tmp_path: Path,
 ) -> None:
     """A pass begins when its frame was filmed: on screen, in a selection, behind another, in the package."""
-    spec = Spec("pause.mp4", pts_of=after_a_pause, count=12)
+    spec = Spec("pause.mp4", pts_of=after_a_pause, count=12, size=QVGA)
     recording_id = add_recording(operator, services, survey_id, write(tmp_path / spec.name, spec))
     assert viewer.seen(f"/recordings/{recording_id}")["duration_s"] == pytest.approx(3008.0)
     with services.writing() as session:  # as an earlier version stored it

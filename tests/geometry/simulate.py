@@ -154,6 +154,13 @@ def _board_box(scene, columns, rows, square, top_m, turn):
 
 
 def _cast(scene, box, board, samples, turn, paint):
+    """Grey values of the box, some rows after the other: what is computed of them stays in the cache."""
+    x0, x1, y0, y1 = box
+    parts = [(x0, x1, y, min(y + 4, y1)) for y in range(y0, y1, 4)]
+    return np.concatenate([_cast_part(scene, part, board, samples, turn, paint) for part in parts])
+
+
+def _cast_part(scene, box, board, samples, turn, paint):
     lens = scene.lens
     x0, x1, y0, y1 = box
     columns, rows, square, top_m = board

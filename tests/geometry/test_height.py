@@ -149,14 +149,15 @@ def test_budget_adds_up() -> None:
     assert bare.u_height_m is not None and bare.u_height_m < found.u_height_m
 
 
-def test_interval_covers_95_percent() -> None:
+@pytest.mark.parametrize("count", [150, pytest.param(300, marks=pytest.mark.proof)])
+def test_interval_covers_95_percent(count: int) -> None:
     """Clicks, lens and pose drawn jointly from the stated covariance; the height re-solved each time."""
     pose, clicks, inset = one()
     scale = 0.15
     covariance = pose.covariance * scale**2
     pose = dataclasses.replace(pose, covariance=covariance, board=None)
     rng = np.random.default_rng(6)
-    draws = rng.multivariate_normal(np.zeros(15), covariance, 300)
+    draws = rng.multivariate_normal(np.zeros(15), covariance, count)
     hits = 0
     errors = []
     for draw in draws:

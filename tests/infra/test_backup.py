@@ -292,6 +292,7 @@ sys.exit(main(sys.argv[3:]))
 """
 
 
+@pytest.mark.once  # media are copied before the database is, of whatever kind it is
 @pytest.mark.parametrize("files", [50, pytest.param(120, marks=pytest.mark.proof)])
 def test_a_killed_backup_goes_on(filled: Services, tmp_path: Path, new_place: NewPlace, files: int) -> None:
     """SIGKILL before a file, when it is written, and when it is in its place but not noted: what was copied

@@ -32,7 +32,7 @@ from sightline.infra.audit import trail
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.audit.vouched import ChangedByEvents, WrittenOnce
-from sightline.infra.database.engine import SessionFactory, reading, writing
+from sightline.infra.database.engine import SessionFactory, make_engine, reading, session_factory, writing
 from sightline.infra.database.types import metadata
 from sightline.infra.jobs.store import (
     claim_job,
@@ -102,6 +102,7 @@ from sightline.vehicles.proposing.plan_store import choose_free_plan
 from sightline.vehicles.proposing.store import replace_proposals
 from sightline.vehicles.store import create_vehicle, remove_vehicle, restore_vehicle, update_vehicle
 from tests.support import samples, scans_samples
+from tests.support.kept import PutBack, Shelf
 from tests.support.samples import Sample, frame_table, values
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -521,12 +522,32 @@ for _entities, _keys in re.findall(r"^\| ([^|]+) \| (`[^|]+) \|", _SECTION.split
         TOLD_BESIDE[_entity].update(re.findall(r"\w+", _keys))
 
 
+def _fill(url: str) -> Sample:
+    engine = make_engine(url)
+    with writing(session_factory(engine)) as session:
+        one = samples.sample(session)
+    engine.dispose()
+    return one
+
+
+@pytest.fixture(scope="module")
+def sampled(shelf: Shelf) -> tuple[Sample, PutBack]:
+    return shelf.keep(_fill)
+
+
+@pytest.fixture
+def one(sampled: tuple[Sample, PutBack], database_url: str) -> Sample:
+    """The sample, which the database holds."""
+    made, put_back = sampled
+    put_back(database_url)
+    return made
+
+
 @pytest.mark.parametrize("name", WRITES)
-def test_a_write_leaves_one_event_in_its_transaction(name: str, factory: SessionFactory) -> None:
+def test_a_write_leaves_one_event_in_its_transaction(name: str, one: Sample, factory: SessionFactory) -> None:
     """Or nothing, where the transaction was rolled back."""
     prepare, write = WRITES[name]
     with writing(factory) as session:
-        one = samples.sample(session)
         there = prepare(session, one)
         before = trail.head(session)
     with pytest.raises(ZeroDivisionError), writing(factory) as session:

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
+import pickle
+import tempfile
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +17,7 @@ from sightline.media.video.frames import FrameServer
 from sightline.media.video.ingest import Ingested, ingest
 from sightline.media.video.seeker import RecordingMedia
 from tests.media.clips import Spec, write
+from tests.support.kept import run_folder
 
 ROOT = Path(__file__).resolve().parents[2]
 Ingest = Callable[..., Ingested]
@@ -21,17 +26,17 @@ Clip = Callable[..., Path]
 
 @pytest.fixture(scope="session")
 def clip(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
-    """Clips by their spec, written once for all tests; not to be changed in place."""
-    folder = tmp_path_factory.mktemp("clips")
-    made: dict[tuple[Spec, int | None], Path] = {}
+    """Clips by their spec, written once a run for all tests; not to be changed in place."""
+    shared = run_folder(tmp_path_factory)
 
     def get(spec: Spec, count: int | None = None) -> Path:
-        key = (spec, count)
-        if key not in made:
-            home = folder / str(len(made))
-            home.mkdir()
-            made[key] = write(home / spec.name, spec, count)
-        return made[key]
+        home = shared / f"clip-{hashlib.sha256(pickle.dumps((spec, count))).hexdigest()}"
+        if not home.exists():
+            part = Path(tempfile.mkdtemp(dir=shared))
+            write(part / spec.name, spec, count)
+            with suppress(OSError):  # another worker was first
+                part.rename(home)
+        return home / spec.name
 
     return get
 

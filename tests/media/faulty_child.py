@@ -43,9 +43,9 @@ def _take_long(path: Path, n: int, wanted: Callable[[], bool]) -> bool:
 def _eat(name: str) -> None:
     """Memory that stays, all that there is or some for each frame."""
     while name.startswith("greedy"):
-        HELD.append(bytearray(b"x" * 16_000_000))
+        HELD.append(bytearray(b"x") * 16_000_000)
     if name.startswith("heavy"):
-        HELD.append(bytearray(b"x" * 150_000_000))
+        HELD.append(bytearray(b"x") * 90_000_000)
 
 
 def _end(name: str) -> None:

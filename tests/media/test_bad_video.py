@@ -17,7 +17,7 @@ from sightline.media.video.decode import frames_of, open_container
 from sightline.media.video.frames import FrameServer
 from sightline.media.video.passing import frames_between
 from sightline.media.video.sniff import played_in_parts
-from tests.media.clips import Spec, edited, read_number, write
+from tests.media.clips import QVGA, SMALL, Spec, edited, read_number, write
 from tests.media.conftest import Clip, Ingest, media_of
 from tests.media.test_other_recorders import two_pictures
 
@@ -121,7 +121,7 @@ def test_a_header_that_claims_an_absurd_size_is_refused(
 ) -> None:
     pix_fmt = "rgb24" if codec == "cinepak" else "yuv420p"
     source = write(tmp_path / "a.avi", Spec("a.avi", codec=codec, pix_fmt=pix_fmt, options=()), 2)
-    data, old = source.read_bytes(), struct.pack("<ii", 320, 240)
+    data, old = source.read_bytes(), struct.pack("<ii", *SMALL)
     assert old in data
     path = tmp_path / "huge.avi"
     path.write_bytes(data.replace(old, struct.pack("<ii", *size)))
@@ -197,7 +197,7 @@ def test_a_file_that_an_edit_list_puts_together_has_no_times_of_filming(
         with pytest.raises(BadInput, match="is put together of several parts by an edit list"):
             take_in(path)
         with pytest.raises(BadInput, match="several parts"):
-            frames_between(path, 0, 9, (320, 240), "edited.mp4")
+            frames_between(path, 0, 9, SMALL, "edited.mp4")
     else:
         steps_s = np.diff(take_in(path).frames.time_s)
         assert steps_s == pytest.approx(0.04, abs=1e-4)
@@ -227,7 +227,7 @@ def test_only_the_edit_list_of_the_picture_that_is_read_counts(tmp_path: Path, t
     path = edited(file, tmp_path / "edited.mp4", [(0.4, 0.0), (0.4, 0.8)], track=2)
     assert (played_in_parts(path), take_in(path).facts.stream) == ({2}, 1)
     with pytest.raises(BadInput, match="several parts"):
-        frames_between(path, 0, 9, (640, 480), "edited.mp4", stream_number=2)
+        frames_between(path, 0, 9, QVGA, "edited.mp4", stream_number=2)
 
 
 def test_an_edit_list_in_a_part_with_a_long_size_is_found(tmp_path: Path) -> None:

@@ -37,7 +37,7 @@ FAULTS = "tests.media.faulty_child"
 @pytest.fixture
 def limits() -> Any:
     """As `Limits`, but that a test may change them: a busy machine's child is silent for long."""
-    return SimpleNamespace(**asdict(Limits(memory_bytes=500_000_000, silence_s=NEVER_S)))
+    return SimpleNamespace(**asdict(Limits(memory_bytes=300_000_000, silence_s=NEVER_S)))
 
 
 @pytest.fixture
@@ -103,7 +103,7 @@ def test_checksums_are_verified_in_the_child(plain: RecordingMedia, served: Fram
         ("killed", "was killed again and again"),
         ("hang", "no progress for 1 s"),
         ("stuck", "no progress for 1 s"),
-        ("greedy", "0.5 GB of memory"),
+        ("greedy", "0.3 GB of memory"),
     ],
 )
 def test_a_fault_costs_the_child_and_one_sentence(
@@ -133,9 +133,9 @@ def test_a_fault_costs_the_child_and_one_sentence(
 def test_a_frame_that_fits_alone_is_given_from_full_memory_and_a_greedy_one_is_not(
     plain: RecordingMedia, host: DecodeHost, served: FrameServer, tmp_path: Path
 ) -> None:
-    """150 MB a frame that stay: what the fourth asks for is not what it needs. Greedy ones need it alone."""
+    """90 MB a frame that stay: what the third asks for is not what it needs. Greedy ones need it alone."""
     heavy = named(plain, "heavy", tmp_path)
-    for n in range(AT, AT + 8):
+    for n in range(AT, AT + 5):
         assert read_number(served.bgr(heavy, n)) == n
     greedy = named(plain, "greedy", tmp_path)
     with pytest.raises(CannotDecode, match=r"alone in a fresh process, there; .* to smaller"):

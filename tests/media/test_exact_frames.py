@@ -34,6 +34,11 @@ def access_orders(count: int) -> dict[str, list[int]]:
     }
 
 
+def four_frames(spec: Spec) -> int:
+    """Bytes of a cache that holds no more: nearly every request has to seek and decode."""
+    return 4 * 200_000 * spec.size[0] * spec.size[1] // (320 * 240)
+
+
 def number_in(image: NDArray[np.uint8], spec: Spec) -> int:
     code = BACK[spec.rotation]
     return read_number(image if code is None else cv2.rotate(image, code))
@@ -60,11 +65,9 @@ def test_no_frame_is_wrong(
     media = media_of(result)
     assert len(media) == spec.count
     asked = access_orders(spec.count)
-    frame_bytes = 200_000 * spec.size[0] * spec.size[1] // (320 * 240)
     for order in orders:
-        numbers = asked[order]
-        # a cache of four frames: nearly every request has to seek and decode
-        server = FrameServer(tmp_path / order, 4 * frame_bytes, 1_000_000)
+        numbers = asked[order] if len(orders) > 1 else asked[order][:20]
+        server = FrameServer(tmp_path / order, four_frames(spec), 1_000_000)
         wrong = [n for n in numbers if number_in(server.bgr(media, n), spec) != n]
         assert wrong == [], order
     assert np.all(np.diff(result.frames.time_s) > 0)
@@ -116,10 +119,10 @@ def picture(found: Decoded | None) -> NDArray[np.uint8]:
 def test_frames_hidden_by_an_edit_list_are_no_frames(
     source: str, clip: Clip, tmp_path: Path, take_in: Ingest
 ) -> None:
-    whole = clip(next(s for s in SPECS if s.name == source))
-    result = take_in(cut_copy(whole, tmp_path / "cut.mp4", 1.5))
+    spec = next(s for s in SPECS if s.name == source)
+    result = take_in(cut_copy(clip(spec), tmp_path / "cut.mp4", 1.5))
     media = media_of(result)
-    server = FrameServer(tmp_path / "cache", 4 * 200_000, 1_000_000)
+    server = FrameServer(tmp_path / "cache", four_frames(spec), 1_000_000)
     first = read_number(server.bgr(media, 0))
     assert first > 24, "the cut hides frames"
     for numbers in access_orders(len(media)).values():
@@ -177,7 +180,7 @@ def test_another_video_under_the_same_table_gives_errors_not_pictures(
     tmp_path: Path, take_in: Ingest, server: FrameServer
 ) -> None:
     media = media_of(take_in(write(tmp_path / "a.mp4", Spec("a.mp4"), 30)))
-    other = write(tmp_path / "b.mp4", Spec("b.mp4", size=(320, 256)), 30)
+    other = write(tmp_path / "b.mp4", Spec("b.mp4", size=(192, 160)), 30)
     swapped = type(media)(other, media.pts, media.crc, media.key)
     for n in (0, 7, 29):
         with pytest.raises(Damaged):

@@ -18,10 +18,10 @@ from sightline.media.video.caches import DiskCache, MemoryCache
 from sightline.media.video.frames import FrameServer
 from sightline.media.video.seeker import RecordingMedia, Seeker
 from sightline.media.video.window import FRAMES_OF_DECODER, NoLongerWanted, Window, is_always_wanted
-from tests.media.clips import Spec, read_number
+from tests.media.clips import QVGA, SMALL, Spec, read_number
 from tests.media.conftest import Clip, Ingest, media_of
 
-LONG = Spec("one_key.mp4", gop=250)
+LONG = Spec("one_key.mp4", gop=250, size=QVGA)
 
 
 @pytest.fixture
@@ -147,7 +147,7 @@ def test_open_decoders_are_bounded(clip: Clip, tmp_path: Path, take_in: Ingest) 
 
 def test_large_pictures_leave_room_for_fewer_decoders(clip: Clip, take_in: Ingest) -> None:
     medias = [media_of(take_in(clip(Spec(f"{k}.mp4", gop=10 + k), 20))) for k in range(3)]
-    frame = 320 * 240 * 3 // 2
+    frame = SMALL[0] * SMALL[1] * 3 // 2
     window = Window(2_000_000, max_open=3, open_bytes=2 * FRAMES_OF_DECODER * frame + frame)
     before = len(os.listdir("/proc/self/fd"))
     for n in range(12):

@@ -23,7 +23,7 @@ from sightline.media.video.passing import frames_between
 from sightline.media.video.report import clock_doubt_of, times_of_filming
 from sightline.media.video.stated import Stated
 from sightline.recordings.ingest_job import facts_of
-from tests.media.clips import X264_B, X264_OPEN, Spec, painted, read_number, tagged, write
+from tests.media.clips import QVGA, SMALL, X264_B, X264_OPEN, Spec, painted, read_number, tagged, write
 from tests.media.conftest import Clip, Ingest, media_of
 
 CLOCK_S = 2**33 / 90_000
@@ -72,10 +72,10 @@ def test_a_clock_that_begins_again_loses_no_frame(
 def two_pictures(
     path: Path, counts: tuple[int, int], on: tuple[bool, bool] | None = None, cover: bool = False
 ) -> Path:
-    """A file of two pictures, of 320x240 and 640x480: the second shows its numbers from 1000 on."""
+    """A file of two pictures, of 192x144 and 320x240: the second shows its numbers from 1000 on."""
     with closing(av.open(str(path), "w")) as out:
         streams = []
-        for k, (width, height) in enumerate(((320, 240), (640, 480))):
+        for k, (width, height) in enumerate((SMALL, QVGA)):
             still = cover and k == 0
             stream = out.add_stream("mjpeg" if still else "libx264", rate=25)
             stream.width, stream.height = width, height
@@ -103,8 +103,8 @@ def test_a_cover_before_the_video_is_no_video(
     """A cover as an ordinary first stream, marked as nothing; FFmpeg switches the second off by default."""
     result = take_in(two_pictures(tmp_path / f"cover_first.{ending}", (1, 40), on, cover=True))
     assert numbers(result, server) == list(range(1000, 1040))
-    assert (result.facts.width_px, result.facts.stream) == (640, 2)
-    assert any("1 (mjpeg, 320x240, a still image)" in note and "2 (h264" in note
+    assert (result.facts.width_px, result.facts.stream) == (320, 2)
+    assert any("1 (mjpeg, 192x144, a still image)" in note and "2 (h264" in note
                for note in map(str, result.report.notes))  # fmt: skip
 
 
@@ -114,13 +114,13 @@ def test_of_two_moving_pictures_the_first_is_read_and_said(
     result = take_in(two_pictures(tmp_path / "two.mp4", (30, 30), (True, True)))
     assert numbers(result, server) == list(range(30))
     note = next(note for note in map(str, result.report.notes) if "another video track" in note)
-    assert "2 (h264, 640x480)" in note and "track 1 (h264, 320x240) was imported" in note
+    assert "2 (h264, 320x240)" in note and "track 1 (h264, 192x144) was imported" in note
 
 
 def test_one_that_is_switched_off_is_left_alone(tmp_path: Path, take_in: Ingest, server: FrameServer) -> None:
     result = take_in(two_pictures(tmp_path / "off.mp4", (30, 30), (False, True)))
     assert numbers(result, server) == list(range(1000, 1030))
-    assert any("1 (h264, 320x240, disabled)" in note for note in map(str, result.report.notes))
+    assert any("1 (h264, 192x144, disabled)" in note for note in map(str, result.report.notes))
 
 
 def test_a_single_picture_says_nothing_of_others(clip: Clip, take_in: Ingest) -> None:
@@ -149,14 +149,14 @@ def test_another_picture_is_read_where_it_is_chosen(
     result = take_in(path, stream_number=2)
     media = replace(media_of(result), stream_number=2)
     assert [read_number(server.gray(media, n)) for n in range(30)] == list(range(1000, 1030))
-    assert (result.facts.stream, result.facts.width_px) == (2, 640)
+    assert (result.facts.stream, result.facts.width_px) == (2, 320)
     assert [str(one.said(n)) for n, one in enumerate(result.facts.pictures, 1)] == [
-        "1 (h264, 320x240)",
-        "2 (h264, 640x480)",
+        "1 (h264, 192x144)",
+        "2 (h264, 320x240)",
     ]
     first, _ = cut_strips(path, (1, 2), np.arange(30) / 25, stream_number=2)
     with closing(first):
-        assert first.rows == 480
+        assert first.rows == 240
 
 
 def test_another_picture_of_a_stream_without_an_index(
@@ -300,7 +300,7 @@ def test_a_pass_has_the_times_of_the_frame_table_where_packets_are_not_in_order(
     path = write(tmp_path / "b.avi", Spec("b.avi", options=X264_B, b_frames=3))
     result = take_in(path)
     assert result.report.unordered > 0
-    times_s = [one.time_s for one in frames_between(path, 5, 20, (320, 240), path.name)]
+    times_s = [one.time_s for one in frames_between(path, 5, 20, SMALL, path.name)]
     assert np.diff(times_s) == pytest.approx(np.diff(result.frames.time_s[5:21]))
 
 

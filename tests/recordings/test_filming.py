@@ -206,16 +206,16 @@ def test_another_picture_of_a_file_becomes_a_recording(
     file = two_pictures(tmp_path / "two.mp4", (5, 6), (True, True))
     path = f"/recordings/{upload(operator, survey_id, file)}"
     first = read(operator, services, path)
-    assert (first["stream_number"], first["frame_count"], first["width_px"]) == (1, 5, 320)
-    assert [(one["width_px"], one["off"]) for one in first["pictures"]] == [(320, False), (640, False)]
+    assert (first["stream_number"], first["frame_count"], first["width_px"]) == (1, 5, 192)
+    assert [(one["width_px"], one["off"]) for one in first["pictures"]] == [(192, False), (320, False)]
     made = operator.post(f"{path}/pictures/2")
     assert made.status_code == 201, made.text
     second = read(operator, services, f"/recordings/{made.json()['id']}")
-    assert (second["stream_number"], second["frame_count"], second["width_px"]) == (2, 6, 640)
+    assert (second["stream_number"], second["frame_count"], second["width_px"]) == (2, 6, 320)
     assert second["name"] == f"{first['name']} (2)"
     still = operator.get(f"/recordings/{second['id']}/frames/5.jpg")
     assert still.status_code == 200
-    assert cv2.imdecode(np.frombuffer(still.content, np.uint8), cv2.IMREAD_GRAYSCALE).shape == (480, 640)
+    assert cv2.imdecode(np.frombuffer(still.content, np.uint8), cv2.IMREAD_GRAYSCALE).shape == (240, 320)
     assert operator.get(second["thumbs"][0]["url"].removeprefix("/api")).status_code == 200
     assert operator.post(f"{path}/pictures/2").json()["error"]["code"] == "recordings-picture-is-there"
     with services.reading() as session:

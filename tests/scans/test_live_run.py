@@ -89,6 +89,20 @@ def clean(pair: tuple[Pixels, Pixels]) -> list[LiveVehicle]:
     return run_of(Played(pair))[0]
 
 
+@pytest.fixture(scope="module")
+def two(pair: tuple[Pixels, Pixels], clean: list[LiveVehicle]) -> tuple[Pixels, Pixels]:
+    """The first two vehicles: up to the middle of the road between the second and the third."""
+    second, third = (one.vehicle.motion.crossings for one in clean[1:3])
+    cut = int(second.rear_line_2 + third.front_line_1) // 2
+    return pair[0][:cut], pair[1][:cut]
+
+
+@pytest.fixture(scope="module")
+def twice(two: tuple[Pixels, Pixels]) -> tuple[Pixels, Pixels]:
+    """The first two vehicles, and again."""
+    return np.concatenate([two[0], two[0]]), np.concatenate([two[1], two[1]])
+
+
 def test_lost_lines_are_listed_in_the_files_and_spoil_only_whom_they_hit(
     pair: tuple[Pixels, Pixels], clean: list[LiveVehicle], tmp_path: Path
 ) -> None:
@@ -191,13 +205,13 @@ def test_line_0_came_before_the_piece_that_brought_it(
 @pytest.mark.parametrize("piped", [False, True])
 @pytest.mark.parametrize("ahead_s", [-7200.0, 30.0])
 def test_a_file_at_rest_tells_when_it_was_written(
-    pair: tuple[Pixels, Pixels], clean: list[LiveVehicle], tmp_path: Path, ahead_s: float, piped: bool
+    two: tuple[Pixels, Pixels], clean: list[LiveVehicle], tmp_path: Path, ahead_s: float, piped: bool
 ) -> None:
     """Its last line came when it was last modified, two hours ago; never later than now. Followed, or given
     as standard input.
     """
     path, ending = tmp_path / "lines.raw", Ending()
-    path.write_bytes(np.stack([np.array(one, np.uint8) for one in pair], axis=1).tobytes())
+    path.write_bytes(np.stack([np.array(one, np.uint8) for one in two], axis=1).tobytes())
     os.utime(path, (1e9 + ahead_s, 1e9 + ahead_s))
     with path.open("rb") as given:
 
@@ -208,8 +222,8 @@ def test_a_file_at_rest_tells_when_it_was_written(
 
         told = list(live_run(source, clock=stopped_at(1e9)).vehicles())
     ending.close()
-    for one, same in zip(told, clean, strict=True):
-        lines = same.vehicle.motion.crossings.front_line_1 - len(pair[0])
+    for one, same in zip(told, clean[:2], strict=True):
+        lines = same.vehicle.motion.crossings.front_line_1 - len(two[0])
         assert one.at.timestamp() == pytest.approx(1e9 + min(ahead_s, 0) + lines / RIG.line_rate_hz, abs=1e-3)
 
 
@@ -254,18 +268,19 @@ def test_a_followed_file_taken_up_an_hour_later_tells_when_its_lines_were_taken(
     assert heard[0] == pytest.approx(3600 + (500 - begun_at) / RIG.line_rate_hz + 1, abs=2)
 
 
-def test_swapped_cameras_are_said_while_the_stream_goes_on(pair: tuple[Pixels, Pixels]) -> None:
-    live, said = run_of(Played((pair[1], pair[0])))
+def test_swapped_cameras_are_said_while_the_stream_goes_on(two: tuple[Pixels, Pixels]) -> None:
+    live, said = run_of(Played((two[1], two[0])))
+    assert len(live) == 2
     assert {one.vehicle.motion.crossings.direction for one in live} == {"camera_2_first"}
     assert any("the strips are swapped" in one for one in said)
 
 
 def test_segments_begin_where_the_road_is_empty_and_lose_nothing(
-    pair: tuple[Pixels, Pixels], tmp_path: Path
+    twice: tuple[Pixels, Pixels], tmp_path: Path
 ) -> None:
-    twice = tuple(np.concatenate([one, one]) for one in pair)
-    whole, _ = run_of(Played(twice))  # type: ignore[arg-type]
-    live, _ = run_of(Played(twice), tmp_path, segment_s=1.5)  # type: ignore[arg-type]
+    whole, _ = run_of(Played(twice))
+    assert len(whole) == 4
+    live, _ = run_of(Played(twice), tmp_path, segment_s=1.5)
     assert [one.vehicle.number for one in live] == list(range(1, len(whole) + 1))
     assert max(one.segment for one in live) >= 2
     kept = [open_strip(path, "height").lines for path in sorted(tmp_path.glob("*-camera-1.tif"))]
@@ -277,10 +292,9 @@ def test_segments_begin_where_the_road_is_empty_and_lose_nothing(
 
 
 def test_a_disk_that_is_full_where_a_segment_begins_ends_the_keeping_only(
-    pair: tuple[Pixels, Pixels], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    twice: tuple[Pixels, Pixels], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    twice = tuple(np.concatenate([pixels, pixels]) for pixels in pair)
-    whole, _ = run_of(Played(twice), segment_s=1.5)  # type: ignore[arg-type]
+    whole, _ = run_of(Played(twice), segment_s=1.5)
     truncate = spool.Spool._put_words
 
     def full(made: spool.Spool) -> None:
@@ -289,7 +303,7 @@ def test_a_disk_that_is_full_where_a_segment_begins_ends_the_keeping_only(
         truncate(made)
 
     monkeypatch.setattr(spool.Spool, "_put_words", full)
-    told, said = run_of(Played(twice), tmp_path, segment_s=1.5)  # type: ignore[arg-type]
+    told, said = run_of(Played(twice), tmp_path, segment_s=1.5)
     in_turn = [(one.segment, one.vehicle.number, one.vehicle.motion.speed_mps) for one in told]
     assert in_turn == [(one.segment, one.vehicle.number, one.vehicle.motion.speed_mps) for one in whole]
     assert told[-1].segment >= 2
@@ -517,7 +531,7 @@ def test_a_file_is_compared_with_the_kept_lines_though_older_ones_come_first(
 
 
 def test_strips_that_were_not_moved_when_a_stream_was_killed_are_moved_by_the_next(
-    pair: tuple[Pixels, Pixels], tmp_path: Path
+    two: tuple[Pixels, Pixels], tmp_path: Path
 ) -> None:
     class Survey(Keeper):
         keeps = True
@@ -536,9 +550,9 @@ def test_strips_that_were_not_moved_when_a_stream_was_killed_are_moved_by_the_ne
             if not self.killed:
                 moved()
 
-    told = run_of(Played(pair), tmp_path, keeper=Survey(killed=True))[0]
-    assert len(told) == 4
-    nothing = Played((pair[0][:0], pair[1][:0]))
+    told = run_of(Played(two), tmp_path, keeper=Survey(killed=True))[0]
+    assert len(told) == 2
+    nothing = Played((two[0][:0], two[1][:0]))
     run_of(nothing, tmp_path)  # of no survey: they are another's
     next_one, last = Survey(killed=False), Survey(killed=False)
     for keeper in (next_one, last):

@@ -18,7 +18,7 @@ from sqlalchemy import text, update
 
 from sightline.cli import main
 from sightline.infra.audit.verification import verify_records
-from sightline.infra.database.engine import DatabaseAway, migrate
+from sightline.infra.database.engine import DatabaseAway
 from sightline.infra.database.types import now
 from sightline.infra.services import Services, open_services
 from sightline.linescan.parts import Rig
@@ -37,6 +37,7 @@ from sightline.surveys.store import create_survey
 from tests.simulation.scan_strips import strips
 from tests.simulation.scan_traffic import ScanSite, traffic
 from tests.support.events import events_of
+from tests.support.kept import Shelf, lay_sqlite
 from tests.support.waiting import until
 from tests.support.working import run_jobs
 
@@ -52,9 +53,8 @@ def lines() -> bytes:
 
 
 @pytest.fixture
-def services(tmp_path: Path) -> Iterator[Services]:
-    opened = open_services(load_settings(data_dir=tmp_path / "data"))
-    migrate(opened.engine)
+def services(tmp_path: Path, shelf: Shelf) -> Iterator[Services]:
+    opened = open_services(load_settings(data_dir=lay_sqlite(shelf, tmp_path / "data")))
     with opened.writing() as session:
         create_survey(session, name="Hill", actor=None)
     yield opened

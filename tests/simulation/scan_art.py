@@ -30,6 +30,8 @@ EYE_M = 1.2
 # rows of the texture are cut into so many to find the outline in them; an end is looked for so far to either
 # side of it, where it runs back by less than so much a metre of height
 _PARTS, _NEAR_END_M, _STEEP = 8, 0.03, 1.5
+# no shadow falls higher
+_SHADE_M = 0.45
 _GREY = np.array([0.114, 0.587, 0.299], np.float32)
 
 
@@ -110,7 +112,11 @@ def _edges(site: ScanSite, camera: int, far: bool) -> Array:
 
 def _to_rows(picture: Floats, top_m: float, ppm: float, edges_m: Array) -> Floats:
     """Box means (rows, w) of a picture (h, w) between row edges; what lies beyond the picture is 0."""
-    sums = np.vstack([np.zeros((1, picture.shape[1])), np.cumsum(picture, 0, dtype=np.float64)])
+    sums = np.zeros((len(picture) + 1, picture.shape[1]))
+    for row, above, below in zip(
+        picture, sums, sums[1:], strict=False
+    ):  # NumPy's own takes four times as long
+        np.add(above, row, out=below)
     place = np.clip((top_m - edges_m) * ppm, 0, len(picture))
     values = _at(sums, place)
     return np.asarray(np.diff(values, axis=0) / (ppm * -np.diff(edges_m))[:, None], np.float32)
@@ -274,14 +280,16 @@ def _blurred(picture: Floats, site: ScanSite) -> Floats:
 
 def _shadow(shape: Shape, site: ScanSite, along_m: Array, z: Array) -> Floats:
     """How much of the road's light is left (h, w): shade ahead, below and behind, soft at its ends."""
-    behind_front = along_m[None]
+    out, low = np.ones((len(z), len(along_m)), np.float32), z < _SHADE_M
+    behind_front, z = along_m[None], z[low]
     soft = 0.03
     inside = np.clip((behind_front + site.shadow_m) / soft + 0.5, 0, 1)
     inside = inside * np.clip((shape.length_m + 0.08 - behind_front) / soft + 0.5, 0, 1)
     middle = np.abs(behind_front - shape.length_m / 2) < shape.length_m / 2 - 0.25
     on_road = 0.55 * np.clip((0.13 - z) / 0.02 + 0.5, 0, 1)[:, None] * inside
     below = 0.5 * np.clip((0.42 - z) / 0.02, 0, 1)[:, None] * middle
-    return np.asarray(1 - np.maximum(on_road, below), np.float32)
+    out[low] = 1 - np.maximum(on_road, below)
+    return out
 
 
 def ribbon_of(car: ScanVehicle, site: ScanSite, camera: int) -> Ribbon:
@@ -305,7 +313,9 @@ def ribbon_of(car: ScanVehicle, site: ScanSite, camera: int) -> Ribbon:
 
 def _sums(rows: Floats) -> Array:
     """(rows, w) to running sums (w + 1, rows)."""
-    return np.vstack([np.zeros((1, len(rows))), np.cumsum(rows.T, 0, dtype=np.float64)])
+    sums = np.zeros((rows.shape[1] + 1, len(rows)))
+    np.cumsum(rows, 1, dtype=np.float64, out=sums.T[:, 1:])
+    return sums
 
 
 @lru_cache(maxsize=6)
@@ -347,7 +357,16 @@ def wheels_of(car: ScanVehicle, site: ScanSite, camera: int) -> tuple[Wheel, ...
 def body_of(car: ScanVehicle, site: ScanSite, camera: int) -> Body:
     """What camera 1 or 2 sees of a vehicle, whatever its motion."""
     still = replace(car, front_s=0.0, speed_mps=1.0, acceleration_mps2=0.0, against=False, halt=None)
-    return _body(still, site, camera)
+    sees = ScanSite(
+        site.rows,
+        field_m=site.field_m,
+        top_m=site.top_m,
+        blur_m=site.blur_m,
+        misalignment_px=site.misalignment_px if camera == 2 else 0.0,
+        shadow_m=site.shadow_m,
+        plane_m=site.plane_m,
+    )
+    return _body(still, sees, camera)
 
 
 @lru_cache(maxsize=4)

@@ -10,19 +10,29 @@ import os
 import pickle
 import sys
 from collections.abc import Callable, Iterator
+from dataclasses import fields, is_dataclass
 from functools import cache, lru_cache
 from typing import Any
 
 import numpy as np
 import pytest
 
-from tests.simulation import backdrop, scan_strips
+from tests.simulation import backdrop, board, render, scan_art, scan_strips
 from tests.support.kept import run_folder
 from tests.support.proofs import PROOFS
 
 # What says of the drawing itself that the same tables give the same bytes draws every time.
 _DRAWN_ANEW = ("test_export_language", "test_figures", "test_report")
 _SAME_BYTES = ("test_the_same_facts_give_the_same_bytes", "test_the_button_makes_a_package")
+# What scenes are drawn of, and the modules that call it.
+_SCENERY: tuple[tuple[Any, ...], ...] = (
+    (backdrop.empty_road, backdrop),
+    (board.board_backdrop, board, render),
+    (render.vehicle_kit, render),
+    (scan_art._side, scan_art),
+    (scan_art._turning, scan_art),
+    (scan_art._body, scan_art),
+)
 _MOST = 400  # what a session keeps; the oldest goes first
 
 
@@ -67,21 +77,47 @@ def drawn_once(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) 
 
 @pytest.fixture(scope="session", autouse=True)
 def scenes_drawn_once(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """Empty roads and strips, by all that goes into them; the workers of a run share them."""
+    """Empty roads, vehicles and strips, by all that goes into them; the workers of a run share them."""
     shared = run_folder(tmp_path_factory)
 
     def kept(draw: Callable[..., Any]) -> Callable[..., Any]:
         def drawn(*given: Any) -> Any:
-            place = shared / f"{draw.__name__}-{hashlib.sha256(pickle.dumps(given)).hexdigest()}.npy"
+            place = shared / f"{draw.__name__}-{hashlib.sha256(pickle.dumps(given)).hexdigest()}"
             if not place.exists():
-                part = place.with_suffix(f".{os.getpid()}.npy")
-                np.save(part, draw(*given))
+                part = place.with_suffix(f".{os.getpid()}")
+                part.write_bytes(pickle.dumps(draw(*given), pickle.HIGHEST_PROTOCOL))
                 part.replace(place)
-            return np.load(place)
+            return pickle.loads(place.read_bytes())
 
         return drawn
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(backdrop, "empty_road", lru_cache(maxsize=4)(kept(backdrop.empty_road)))
         patch.setattr(scan_strips, "whole_strips", kept(scan_strips.whole_strips))
+        for draw, *places in _SCENERY:
+            read = _unchanged(kept(draw.__wrapped__))
+            again = lru_cache(maxsize=draw.cache_parameters()["maxsize"])(read)
+            for module in places:
+                patch.setattr(module, draw.__name__, again)
         yield
+
+
+def _unchanged(read: Callable[..., Any]) -> Callable[..., Any]:
+    """Gives arrays that cannot be written to, for the next test is given the same."""
+
+    def held(*given: Any) -> Any:
+        made = read(*given)
+        _hold(made)
+        return made
+
+    return held
+
+
+def _hold(made: Any) -> None:
+    if isinstance(made, np.ndarray):
+        made.flags.writeable = False
+    elif isinstance(made, tuple):
+        for one in made:
+            _hold(one)
+    elif is_dataclass(made):
+        for field in fields(made):
+            _hold(getattr(made, field.name))

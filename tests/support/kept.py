@@ -151,3 +151,16 @@ class PostgresShelf:
 
 
 Shelf = SqliteShelf | PostgresShelf
+
+
+def lay_sqlite(shelf: Shelf, data_dir: Path) -> Path:
+    """The data folder, made where it is not, with an empty database of SQLite's."""
+    data_dir.mkdir(exist_ok=True)
+    place = data_dir / "sightline.db"
+    if isinstance(shelf, SqliteShelf):
+        shutil.copyfile(shelf.migrated, place)
+    else:
+        engine = make_engine(f"sqlite:///{place}")
+        migrate(engine)
+        engine.dispose()
+    return data_dir

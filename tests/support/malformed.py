@@ -13,7 +13,7 @@ from pathlib import Path
 
 import av
 
-from tests.media.clips import X264_B, Spec, write
+from tests.media.clips import QVGA, X264_B, Spec, write
 
 MATRIX = "[900.5, 0.0, 640.2, 0.0, 901.2, 358.9, 0.0, 0.0, 1.0]"
 NO_LENS = "[-0.1, 0.02, 0.0, 0.0, 0.0]"
@@ -104,7 +104,9 @@ def _field(source: bytes, box: bytes, offset: int, value: bytes) -> bytes:
 
 def _times(path: Path, time_of: Callable[[int], int], count: int = 50) -> Path:
     """A transport stream or Matroska file whose packets carry the times given (1/90000 s), in file order."""
-    source = write(path.with_suffix(".mkv" if path.suffix == ".ts" else ".ts"), Spec("x", gop=10), count)
+    source = write(
+        path.with_suffix(".mkv" if path.suffix == ".ts" else ".ts"), Spec("x", size=QVGA, gop=10), count
+    )
     with closing(av.open(str(source))) as read, closing(av.open(str(path), "w")) as out:
         stream = read.streams.video[0]
         copy = out.add_stream_from_template(stream)
@@ -126,13 +128,15 @@ def _join(path: Path, parts: list[Path]) -> None:
 
 def videos(folder: Path) -> dict[str, Path]:
     """Every malformed video, by name."""
-    plain = write(folder / "plain.mp4", Spec("x"), 50).read_bytes()
-    front = write(folder / "front.mp4", Spec("x", muxer=(("movflags", "+faststart"),)), 50).read_bytes()
-    moved = write(folder / "moved.ts", Spec("x", options=X264_B, b_frames=3), 50).read_bytes()
-    avi = write(
-        folder / "plain.avi", Spec("x", codec="mjpeg", pix_fmt="yuvj420p", options=()), 30
+    plain = write(folder / "plain.mp4", Spec("x", size=QVGA), 50).read_bytes()
+    front = write(
+        folder / "front.mp4", Spec("x", size=QVGA, muxer=(("movflags", "+faststart"),)), 50
     ).read_bytes()
-    mkv = write(folder / "plain.mkv", Spec("x"), 50).read_bytes()
+    moved = write(folder / "moved.ts", Spec("x", size=QVGA, options=X264_B, b_frames=3), 50).read_bytes()
+    avi = write(
+        folder / "plain.avi", Spec("x", size=QVGA, codec="mjpeg", pix_fmt="yuvj420p", options=()), 30
+    ).read_bytes()
+    mkv = write(folder / "plain.mkv", Spec("x", size=QVGA), 50).read_bytes()
     rate = avi.index(b"vids") + 24  # the scale lies four bytes before it
     middle = len(moved) // 2 // 188 * 188
     made = {
@@ -162,7 +166,7 @@ def videos(folder: Path) -> dict[str, Path]:
         (folder / name).write_bytes(content)
     for name in ("plain.mp4", "front.mp4", "moved.ts", "plain.avi", "plain.mkv"):
         (folder / name).unlink()
-    sizes = ((320, 240), (640, 480))
+    sizes = (QVGA, (640, 480))
     _join(
         folder / "two_sizes.ts",
         [write(folder / f"part{k}.ts", Spec("x", size=size), 25) for k, size in enumerate(sizes)],
@@ -175,7 +179,7 @@ def videos(folder: Path) -> dict[str, Path]:
             for k, begin in enumerate((20, 1))
         ],
     )
-    write(folder / "one_frame.mp4", Spec("x"), 1)
+    write(folder / "one_frame.mp4", Spec("x", size=QVGA), 1)
     return {p.name: p for p in sorted(folder.iterdir())}
 
 

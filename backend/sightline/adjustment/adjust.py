@@ -140,7 +140,7 @@ def adjust(
         raise BadInput("adjustment-contradictory", out=int(out.sum()), passes=len(usable))
     left_out += [LeftOut(one.name, _reason(traffic, fit, row)) for row, one in enumerate(usable) if out[row]]
     freedom = _freedom(traffic, fit, ~out)
-    limit = float(scipy.stats.chi2.isf(_GLOBAL_FAILED, freedom)) if freedom > 0 else None
+    limit = float(scipy.special.chdtri(freedom, _GLOBAL_FAILED)) if freedom > 0 else None
     heading, u_heading = _heading(fit, ~out)
     return Adjustment(
         pose=_adjusted(shared, fit),

@@ -41,7 +41,7 @@ from sightline.linescan.parts import Passage, Rig
 from sightline.linescan.passing import Vehicle, measure_passages
 from sightline.media.strips.notes import columns_of
 from sightline.media.strips.reader import Strip, bits_of, check_pair, open_strip
-from sightline.scans.vehicles.measure import without_losses
+from sightline.scans.losses import without_losses
 
 
 @click.command()

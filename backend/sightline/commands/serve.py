@@ -14,6 +14,7 @@ from typing import IO, TYPE_CHECKING
 
 import click
 
+from sightline.children import kept_for_good
 from sightline.commands.options import data_dir_option, settings_of
 from sightline.errors import BadInput
 
@@ -55,9 +56,7 @@ def run(
     settings = settings_of(data_dir=data_dir, host=host, port=port, workers=workers or None)
     keep_private(settings)
     with ExitStack() as stack:
-        # What the start makes stays for good: collecting in between finds nothing, and takes its time.
-        gc.disable()
-        stack.callback(gc.enable)
+        stack.enter_context(kept_for_good())  # until it answers
         listener = stack.enter_context(listen(settings.host, settings.port))
         serve_on(listener, settings, stack, own_worker=workers != 0, with_demo=with_demo)
 

@@ -162,7 +162,7 @@ def summary_of_headings(pose: RoadPose, headings: Sequence[Heading]) -> Headings
     estimate = mean_and_spread(values[used], u[used], shared)
     away = abs(estimate.mean) / estimate.u_mean
     freedom = (estimate.count - 1) * (estimate.u_mean / estimate.u_own) ** 4
-    proposed = bool(away > scipy.stats.t.ppf(0.975, freedom))
+    proposed = bool(away > scipy.special.stdtrit(freedom, 0.975))
     return Headings(
         heading_rad=freeze_array(values),
         used=used,

@@ -375,7 +375,7 @@ def _worst(fit: _Fit, tracks: Tracks) -> tuple[int, float, float] | None:
     spare = fit.weight - fit.weight @ jacobian @ fit.answer
     pull = fit.weight @ fit.residual_px
     n = len(tracks.frame)
-    limit = float(scipy.stats.chi2.ppf((1.0 - _OUTLYING) ** (1.0 / n), 2))
+    limit = 2.0 * float(scipy.special.gammaincinv(1.0, (1.0 - _OUTLYING) ** (1.0 / n)))
     blocks = np.array([spare[2 * i : 2 * i + 2, 2 * i : 2 * i + 2] for i in range(n)])
     tested = np.array([np.linalg.cond(block) < 1e10 for block in blocks])
     off = np.zeros((n, 2))
@@ -455,7 +455,7 @@ def _reported(
     reported, by = _as_told(fit, clicked_since_s)
     total = by @ np.sum([alone, *shared.values()], axis=0) @ by.T
     freedom = 2 * len(tracks.frame) - len(fit.free) + len(priors)
-    chance = float(scipy.stats.chi2.sf(fit.cost, freedom))
+    chance = float(scipy.special.chdtrc(freedom, fit.cost))
     place = {name: int(i) for i, name in enumerate(fit.free)}
 
     def solved(which: int) -> Solved | None:

@@ -378,5 +378,5 @@ def _median(values: Sequence[float], of: str) -> RigEstimate:
     middle = float(np.median(array))
     spread = robust_scale(array - middle)
     # few vehicles: the spread itself is uncertain, as Student's t widens it
-    widened = float(scipy.stats.t.ppf(0.975, n - 1) / COVERAGE_95)
+    widened = float(scipy.special.stdtrit(n - 1, 0.975) / COVERAGE_95)
     return RigEstimate(middle, widened * _MEDIAN * spread / sqrt(n), spread, n)

@@ -225,7 +225,7 @@ def calibrate_rig(passes: Sequence[RigPass], common: Common | None = None) -> Ri
     )
     residual = span - design @ coefficients
     chi2, degrees = float(residual @ np.linalg.solve(spread, residual)), len(spans) - 2
-    p_value = float(scipy.stats.chi2.sf(chi2, degrees))
+    p_value = float(scipy.special.chdtrc(degrees, chi2))
     if p_value < CONTRADICTION:
         _contradict(fitted, chi2, degrees)
     u_baseline, u_divergence = (sqrt(one) for one in np.diag(covariance))

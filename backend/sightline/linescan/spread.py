@@ -122,4 +122,4 @@ def _solved(normal: Floats, right: Floats) -> Floats:
 @lru_cache(maxsize=64)
 def widening(freedom: float) -> float:
     """The factor that widens an uncertainty of so few observations to cover 95 %: Student's t over 1.96."""
-    return float(scipy.stats.t.ppf(0.975, freedom) / COVERAGE_95)
+    return float(scipy.special.stdtrit(freedom, 0.975) / COVERAGE_95)

@@ -315,8 +315,8 @@ def _interval(
 @lru_cache(maxsize=10_000)
 def poisson_interval(count: int) -> tuple[float, float]:
     """The exact 95 % interval of a Poisson process's mean, of which so many came (Garwood 1936)."""
-    low = float(scipy.stats.chi2.ppf(_TAIL, 2 * count)) / 2 if count else 0.0
-    return low, float(scipy.stats.chi2.ppf(1 - _TAIL, 2 * count + 2)) / 2
+    low = float(scipy.special.gammaincinv(count, _TAIL)) if count else 0.0
+    return low, float(scipy.special.gammaincinv(count + 1, 1 - _TAIL))
 
 
 def mean_speeds(moving: Sequence[Passed]) -> tuple[Figure, Figure]:

@@ -117,9 +117,13 @@ def made(factory: SessionFactory) -> list[str]:
         return [one.name for one in list_surveys(session)]
 
 
-def test_a_killed_worker_process_loses_nothing(
+def test_a_killed_process_loses_nothing_a_cancelled_job_ends_and_a_stopped_worker_gives_its_job_back(
     factory: SessionFactory, tmp_path: Path, start: Callable[[], "subprocess.Popen[bytes]"]
 ) -> None:
+    """One after the other in one worker, whose start is what takes long."""
+    cancelled, given_back = (tmp_path / name for name in ("cancelled", "given back"))
+    cancelled.mkdir()
+    given_back.mkdir()
     job = enqueue(factory, tmp_path)
     worker = start()
     os.kill(wait_for(tmp_path / "attempt-1"), signal.SIGKILL)
@@ -127,6 +131,22 @@ def test_a_killed_worker_process_loses_nothing(
     done = wait_for_end(factory, job)
     assert (done.state, done.attempts, done.result) == ("done", 2, {"survey_id": 1})
     assert made(factory) == ["made once"] and worker.poll() is None
+
+    job = enqueue(factory, cancelled)
+    wait_for(cancelled / "attempt-1")
+    with writing(factory) as session:
+        request_job_cancel(session, job.id, actor=None)
+    assert wait_for_end(factory, job).state == "cancelled"
+    again = enqueue(factory, cancelled, first_s=0)
+    assert wait_for_end(factory, again).state == "done", "the worker goes on"
+
+    job = enqueue(factory, given_back)
+    wait_for(given_back / "attempt-1")
+    worker.terminate()
+    assert worker.wait(NEVER_S) == 0
+    with reading(factory) as session:
+        waiting = get_job(session, job.id)
+    assert (waiting.state, waiting.attempts, waiting.worker) == ("queued", 0, None)
 
 
 def test_a_killed_supervisor_loses_nothing(
@@ -158,7 +178,7 @@ def test_jobs_of_a_killed_server_are_taken_up_by_the_next_one(
     at_work = wait_for(tmp_path / "attempt-1")
     first.kill()
     first.wait()
-    until(lambda: not alive(at_work))
+    until(lambda: not alive(at_work), lambda: "the orphan goes on")
     silent_for_long(factory)
     start()
     done = wait_for_end(factory, job)
@@ -184,49 +204,6 @@ def test_a_worker_that_puts_its_job_back_goes_on_without_a_word_of_defects(
     log = (tmp_path / "worker-1.log").read_text()
     assert f"job {away.id} (test_away) waits" in log
     assert "Traceback" not in log and worker.poll() is None
-
-
-def test_a_running_job_is_cancelled(
-    factory: SessionFactory, tmp_path: Path, start: Callable[[], "subprocess.Popen[bytes]"]
-) -> None:
-    job = enqueue(factory, tmp_path)
-    start()
-    wait_for(tmp_path / "attempt-1")
-    with writing(factory) as session:
-        request_job_cancel(session, job.id, actor=None)
-    assert wait_for_end(factory, job).state == "cancelled"
-    again = enqueue(factory, tmp_path, first_s=0)
-    assert wait_for_end(factory, again).state == "done", "the worker goes on"
-
-
-def test_the_orphans_of_a_killed_worker_end_by_themselves(
-    settings: Settings,
-    factory: SessionFactory,
-    tmp_path: Path,
-    start: Callable[[], "subprocess.Popen[bytes]"],
-) -> None:
-    enqueue(factory, tmp_path)
-    worker = start()
-    at_work = wait_for(tmp_path / "attempt-1")
-    os.kill(worker.pid, signal.SIGKILL)
-    worker.wait()
-    until(lambda: not alive(at_work), lambda: "the orphan goes on")
-
-
-def test_a_stopped_worker_gives_its_job_back(
-    settings: Settings,
-    factory: SessionFactory,
-    tmp_path: Path,
-    start: Callable[[], "subprocess.Popen[bytes]"],
-) -> None:
-    job = enqueue(factory, tmp_path)
-    worker = start()
-    wait_for(tmp_path / "attempt-1")
-    worker.terminate()
-    assert worker.wait(NEVER_S) == 0
-    with reading(factory) as session:
-        waiting = get_job(session, job.id)
-    assert (waiting.state, waiting.attempts, waiting.worker) == ("queued", 0, None)
 
 
 SERVER = """

@@ -5,6 +5,7 @@ video that crashes the decoder costs one process: its job is put back at once an
 process holds one end of a socket pair and ends when the other closes, so a `kill -9` leaves nothing running.
 """
 
+import gc
 import logging
 import os
 import select
@@ -19,7 +20,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from uuid import uuid4
 
-from sightline.children import child_environment
+from sightline.children import child_environment, kept_for_good
 from sightline.errors import SightlineError
 from sightline.infra.database.engine import make_engine, migrate, session_factory, translate_database_errors
 from sightline.infra.database.pages import require_whole_pages
@@ -44,7 +45,7 @@ ALIVE_EVERY_S = 5.0
 
 def run_workers(settings: Settings, *, parent: int | None = None, load_handlers: Callable[[], None]) -> None:
     """Supervise worker processes until told to stop (SIGTERM, SIGINT) or until `parent` is gone. Blocks."""
-    with ending_with(parent):
+    with kept_for_good(), ending_with(parent):
         keep_private(settings)
         engine = make_engine(settings.database_url)
         if parent is None:  # a server has looked before it starts its own
@@ -54,6 +55,7 @@ def run_workers(settings: Settings, *, parent: int | None = None, load_handlers:
         require_alike(engine, settings, app=False)
         engine.dispose()
         load_handlers()
+    gc.freeze()  # what is never looked at again stays shared with the forked processes
     Supervisor(settings, parent).run()
 
 

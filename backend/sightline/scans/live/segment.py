@@ -29,7 +29,7 @@ from sightline.scans.live.journal import (
     told_line,
 )
 from sightline.scans.live.records import LiveVehicle, SegmentFacts
-from sightline.scans.vehicles.measure import without_losses
+from sightline.scans.losses import without_losses
 
 LEAD_S = 10.0  # lines before the first one asked for, from which the road is learnt
 

@@ -1,17 +1,14 @@
 """Measuring a scanned vehicle: its pictures from the stored strips, its motion by either method."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 from sightline.enums import ScanMethod
 from sightline.linescan.by_hand import passage_at
-from sightline.linescan.faults import lines_lost
 from sightline.linescan.methods import MEASURE
 from sightline.linescan.parts import Crossings, Motion, Passage, Rig, rear_seen
 from sightline.linescan.rig import at_lane, lane_named
-from sightline.media.strips.notes import Dropped, lost_lines
 from sightline.media.strips.stored_reader import StripReader
-from sightline.messages.said import Said
+from sightline.scans.losses import without_losses
 from sightline.scans.records import ScanMeasurement, ScanValues
 from sightline.scans.vehicles.motion import crossings_of, lane_by_person
 
@@ -51,13 +48,3 @@ def measured_again(before: ScanMeasurement, rig: Rig, method: ScanMethod, reader
     """The motion between boundaries that stand, in the lane that a person chose, if one did."""
     values, lane = before.values, lane_by_person(before)
     return measured_at(crossings_of(values), rig, method, readers, lane, values)
-
-
-def without_losses(passage: Passage, dropped: Sequence[Sequence[Dropped]]) -> Passage:
-    """The passage, with a reason where the recorder lost lines of either camera while the vehicle passed."""
-    windows = ((passage.start_1, passage.first), (passage.start_2, passage.second))
-    lost = [
-        (camera, lost_lines(gaps, start, start + len(picture)))
-        for camera, (gaps, (start, picture)) in enumerate(zip(dropped, windows, strict=True), 1)
-    ]
-    return lines_lost(passage, [Said("scan-lines-of-camera", count=n, camera=one) for one, n in lost if n])
