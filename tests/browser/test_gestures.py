@@ -23,11 +23,18 @@ def one(page: Page, demonstration: Server) -> OwnVehicle:
 
 
 @pytest.fixture(scope="module")
-def looking(administrators: BrowserContext) -> Iterator[tuple[Page, OwnVehicle]]:
+def looked_at(administrators: BrowserContext) -> Iterator[tuple[Page, OwnVehicle]]:
     """The same once, for tests that change nothing but how the picture lies in its window."""
     page = administrators.new_page()
     yield page, measured(page)
     page.close()
+
+
+@pytest.fixture
+def looking(looked_at: tuple[Page, OwnVehicle]) -> tuple[Page, OwnVehicle]:
+    """With the whole picture in its window."""
+    looked_at[0].keyboard.press("0")
+    return looked_at
 
 
 def measured(page: Page) -> OwnVehicle:
