@@ -1,11 +1,13 @@
 """What a test chooses for the demonstration survey is put back after it, by the API.
 
 Files share a server and its survey. Vehicles that a test makes (`vehicles.py`) are its own and stay; so do
-cameras, packages and people, which the API does not erase.
+cameras, packages and people, which the API does not erase. Every change leaves an audit event: while the
+`newest` is the same nothing has changed, and nothing is asked again.
 """
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import cache
 from typing import Any
 
 from playwright.sync_api import APIRequestContext
@@ -45,7 +47,13 @@ def ask(api: APIRequestContext, address: str) -> Any:
     return answer.json()
 
 
-def chosen(api: APIRequestContext, survey_id: int) -> Choices:
+def newest(api: APIRequestContext) -> int:
+    """The number of the last audit event."""
+    return int(ask(api, "/api/audit?limit=1")[0]["id"])
+
+
+@cache
+def chosen(api: APIRequestContext, survey_id: int, newest: int) -> Choices:
     """All that can be chosen for a survey, its recordings and its line scans."""
     survey, found = f"/api/surveys/{survey_id}", Choices()
     for part, names in OF_SURVEY.items():
@@ -74,7 +82,8 @@ def chosen_of_scan(api: APIRequestContext, scan: Answer) -> Choices:
     return found
 
 
-def made(api: APIRequestContext, survey_id: int) -> dict[str, str]:
+@cache
+def made(api: APIRequestContext, survey_id: int, newest: int) -> dict[str, str]:
     """What can be made and taken away again: by the address that does so, the version that was seen."""
     found = {}
     for listed in ask(api, "/api/studies"):
@@ -92,7 +101,8 @@ def made(api: APIRequestContext, survey_id: int) -> dict[str, str]:
     return found
 
 
-def verdicts(api: APIRequestContext, survey_id: int) -> dict[str, tuple[str, Answer]]:
+@cache
+def verdicts(api: APIRequestContext, survey_id: int, newest: int) -> dict[str, tuple[str, Answer]]:
     """By where it is given: the verdict on each height that the asker may judge, and what it is given on."""
     me = ask(api, "/api/session")["person"]["id"]
     found: dict[str, tuple[str, Answer]] = {}
@@ -117,21 +127,24 @@ def send(api: APIRequestContext, method: str, address: str, body: Answer | None 
 @contextmanager
 def put_back(api: APIRequestContext, survey_id: int) -> Iterator[None]:
     """After what is done within, the survey is as it was before; `api` asks as an administrator."""
-    before, there, judged = chosen(api, survey_id), made(api, survey_id), verdicts(api, survey_id)
+    of = api, survey_id, (at := newest(api))
+    before, there, judged = chosen(*of), made(*of), verdicts(*of)
     lots = {one["lot"]["id"] for one in ask(api, f"/api/surveys/{survey_id}/lots")}
     yield
+    if newest(api) == at:
+        return
     for one in ask(api, f"/api/surveys/{survey_id}/lots"):
         step = {"open": "dissolve", "accepted": "take-back"}.get(one["state"])
         if step and one["lot"]["id"] not in lots:
             send(api, "POST", f"/api/lots/{one['lot']['id']}/{step}")
-    for address, (verdict, seen) in verdicts(api, survey_id).items():
+    for address, (verdict, seen) in verdicts(api, survey_id, newest(api)).items():
         if verdict not in WAITS and judged.get(address, ("",))[0] in WAITS:
             send(api, "POST", address, {"verdict": "reopened", **seen})
-    for address, version in made(api, survey_id).items():
+    for address, version in made(api, survey_id, newest(api)).items():
         if address not in there:
             send(api, "DELETE", address + version)
     for _ in range(1 + len(before)):  # one after the other: what is written has another version
-        now = chosen(api, survey_id)
+        now = chosen(api, survey_id, newest(api))
         other = [place for place in before if now[place][0] != before[place][0]]
         if not other:
             return

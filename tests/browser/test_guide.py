@@ -1,4 +1,4 @@
-"""The guide's "First survey" done step by step as it is written, in English and in French.
+"""The guide's "First survey" done step by step as it is written, in French; in `make proofs` in English too.
 
 What is pressed is named by its message, and the guide has to name it so; it ends on the page of the package.
 """
@@ -9,7 +9,7 @@ import shutil
 import zipfile
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -66,6 +66,12 @@ def cookies(playwright: Playwright, small_demonstration: Server) -> Iterator[API
     asking.dispose()
 
 
+@cache
+def text_of(language: str) -> str:
+    written = (ROOT / "docs/guide" / language / "first-survey.md").read_text("utf-8")
+    return " ".join(written.split())
+
+
 @dataclass(frozen=True)
 class Guide:
     """The page of the guide in a language, and somebody who follows it."""
@@ -73,19 +79,15 @@ class Guide:
     language: str
     page: Page
 
-    @cached_property
-    def text(self) -> str:
-        written = (ROOT / "docs/guide" / self.language / "first-survey.md").read_text("utf-8")
-        return " ".join(written.split())
-
     def word(self, key: str, values: Mapping[str, str | int] | None = None) -> str:
         return say(key, values or {}, self.language)
 
     def named(self, key: str) -> str:
-        """What the guide names, in bold or in italics, as the screens do."""
-        word = self.word(key)
-        assert f"*{word}*" in self.text, f"the guide does not name “{word}”"
-        return word
+        """What the guide names, in bold or in italics, as the screens do; in the other language too."""
+        for language in LOCALES:
+            word = say(key, {}, language)
+            assert f"*{word}*" in text_of(language), f"the guide does not name “{word}”"
+        return self.word(key)
 
     def press(self, key: str, where: Locator | None = None) -> None:
         (where or self.page).get_by_role("button", name=self.named(key), exact=True).click()
@@ -109,7 +111,8 @@ class Guide:
             where.get_by_label(self.word(key), exact=True).select_option(value)
 
 
-@pytest.fixture(params=LOCALES)
+# The way in English, without a guide, is that of test_journey.
+@pytest.fixture(params=["fr", pytest.param("en", marks=pytest.mark.proof)])
 def guide(
     request: pytest.FixtureRequest, browser: Browser, small_demonstration: Server, cookies: APIRequestContext
 ) -> Iterator[Guide]:

@@ -1,53 +1,39 @@
 """Review by lots from end to end: drawn, judged by key, accepted, taken back; another inspected whole."""
 
 import re
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Page, expect
 
 from sightline.demo import invented
-from sightline.infra.database.engine import migrate
 from sightline.infra.services import open_services
-from sightline.people.service import first_sign_in_link
-from sightline.settings import Settings
+from sightline.settings import load_settings
 
-from .server import Server, start
+from .server import Server
 
 SITE = replace(invented.SITES[0], daytime=24, low_light=0)
 
 
 @pytest.fixture
-def server(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Server]:
-    """A server with one simulated site that nobody has reviewed: 24 roofs and 24 eyes by day."""
+def site(demonstration: Server, monkeypatch: pytest.MonkeyPatch) -> int:
+    """A simulated site that nobody has reviewed, beside the demonstration: 24 roofs and 24 eyes by day."""
     monkeypatch.setattr(invented, "_review_by_lots", lambda *_, **__: None)
-    services = open_services(Settings(data_dir=tmp_path, find_passes=False))
-    migrate(services.engine)
-    assert first_sign_in_link(services)
-    films = {"daytime": invented._film(services, SITE, "daytime")}
-    with services.writing() as session:
-        invented.store_site(session, SITE, films)  # type: ignore[arg-type]
-    services.close()
-    started = start("serve", tmp_path)
+    services = open_services(load_settings(data_dir=demonstration.data_dir))
     try:
-        started.wait()
-        yield started
+        films = {"daytime": invented._film(services, SITE, "daytime")}
+        with services.writing() as session:
+            return invented.store_site(session, SITE, films)  # type: ignore[arg-type]
     finally:
-        started.stop()
+        services.close()
 
 
-def test_a_lot_from_its_draw_to_its_decision(browser: Browser, server: Server, screenshots: Path) -> None:
-    context = browser.new_context(base_url=server.url, viewport={"width": 1440, "height": 900})
-    page = context.new_page()
-    page.goto(server.sign_in_link())
-    page.wait_for_url(lambda url: "sign-in" not in url)
-    (survey,) = page.request.get("/api/surveys").json()
-    lots = f"/surveys/{survey['id']}/lots"
+def test_a_lot_from_its_draw_to_its_decision(page: Page, site: int, screenshots: Path) -> None:
+    lots = f"/surveys/{site}/lots"
     page.goto(lots)
     _drawn(page, screenshots)
-    sample, size = _judged(page, screenshots)
+    sample, size = _judged(page, site, screenshots)
     lot = page.get_by_test_id("lot")
     lot.get_by_role("button", name="Accept the lot").click()
     words = page.get_by_test_id("lot-words")
@@ -65,11 +51,10 @@ def test_a_lot_from_its_draw_to_its_decision(browser: Browser, server: Server, s
     expect(words).to_contain_text("Not accepted by its sample")
     page.set_viewport_size({"width": 1024, "height": 768})
     page.screenshot(path=screenshots / "lots-1024.png")
-    found = page.request.get(f"/api/surveys/{survey['id']}/lots").json()
+    found = page.request.get(f"/api/surveys/{site}/lots").json()
     assert sorted(one["state"] for one in found) == ["full_inspection", "taken_back"]
-    audit = page.request.get(f"/api/audit/verify?survey_id={survey['id']}")
+    audit = page.request.get(f"/api/audit/verify?survey_id={site}")
     assert not audit.ok or audit.json()["ok"]
-    context.close()
 
 
 def _drawn(page: Page, screenshots: Path) -> None:
@@ -88,7 +73,7 @@ def _drawn(page: Page, screenshots: Path) -> None:
     expect(page.get_by_test_id("lot-words")).to_contain_text("of the sample still wait")
 
 
-def _judged(page: Page, screenshots: Path) -> tuple[int, int]:
+def _judged(page: Page, site: int, screenshots: Path) -> tuple[int, int]:
     """The whole sample in the queue, by one key; how many of how many."""
     words = page.get_by_test_id("lot-words").inner_text()
     size, sample = (int(one) for one in re.findall(r"\d+", words)[:2])
@@ -108,8 +93,7 @@ def _judged(page: Page, screenshots: Path) -> tuple[int, int]:
             expect(page.locator(f'[data-measurement="{measurement}"][aria-current=true]')).to_have_count(0)
     page.go_back()
     page.wait_for_url(re.compile("lots|review"))
-    found = page.request.get("/api/surveys").json()
-    page.goto(f"/surveys/{found[0]['id']}/lots")
+    page.goto(f"/surveys/{site}/lots")
     page.get_by_test_id("lots").locator("tr", has_text=f"{sample} of {sample}").get_by_role("button").or_(
         page.get_by_test_id("lots").locator("tr[aria-current=true]", has_text=f"{sample} of {sample}")
     ).first.click()

@@ -58,18 +58,19 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return built(tmp_path_factory, "opened")
 
 
-@pytest.fixture(scope="module")
-def limited(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
-    """The package of one class of the same survey alone, and that class."""
-    return built(tmp_path_factory, "limited", selection=Selection(categories=("suv",))), "suv"
-
-
 def another_roof_inset(session: Session) -> None:
     """The survey's inset of roofs is another one now; no height is computed again."""
     (survey,) = list_surveys(session)
     told = Inset(0.456, 0.1, "told in a test")
     insets = survey.insets | {name: told for name in survey.insets if name.startswith("roof")}
     update_survey(session, replace(survey, insets=insets), actor=None)
+
+
+@pytest.fixture(scope="module")
+def limited(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
+    """The package of one class of the same survey alone, its roofs out of date; and that class."""
+    chosen = Selection(categories=("suv",))
+    return built(tmp_path_factory, "limited", another_roof_inset, selection=chosen), "suv"
 
 
 @pytest.fixture
@@ -282,12 +283,12 @@ def test_a_limited_package_says_so_at_its_top_and_of_what_lies_outside(
 
 
 def test_heights_that_are_out_of_date_are_counted_marked_and_found_by_the_filter(
-    tmp_path_factory: pytest.TempPathFactory, whole: Path, opened: Callable[[Path], Page]
+    whole: Path, limited: tuple[Path, str], opened: Callable[[Path], Page]
 ) -> None:
     page = opened(whole)
     expect(page.locator("[data-stale]")).to_have_count(0)
     before = states(page)
-    place = built(tmp_path_factory, "stale", another_roof_inset)
+    place, _ = limited
     page = opened(place)
     standing = [row for row in rows(place, "tables/measurements.csv") if row["withdrawn"] != "true"]
     usual = [row for row in standing if (row["target"], row["inset_from"]) == ("roof", "usual")]

@@ -2,13 +2,14 @@
 
 from pathlib import Path
 
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import APIRequestContext, Browser, Page, expect
 
 from sightline.media.video.writer import write_mp4
-from tests.browser.server import start
-from tests.browser.signed_in import client_of, first_page
 from tests.media.clips import painted
 from tests.real.client import Client
+
+from .server import Server
+from .signed_in import client_of, first_page, invite
 
 #: Asks as the pages do, by the browser's own cache: the statuses of some addresses.
 STATUSES = (
@@ -21,15 +22,15 @@ def statuses(page: Page, addresses: list[str]) -> list[int]:
     return found
 
 
-def test_frames_and_packages_are_not_shown_from_the_cache(browser: Browser, tmp_path: Path) -> None:
+def test_frames_and_packages_are_not_shown_from_the_cache(
+    browser: Browser, admin: APIRequestContext, demonstration: Server, tmp_path: Path
+) -> None:
     clip = tmp_path / "road.mp4"
     write_mp4(clip, (painted(n, 320, 240) for n in range(12)), 25, crf=14, gop=6)
-    server = start("serve", tmp_path / "data")
-    try:
-        page = first_page(browser, server)
-        client = client_of(page, server.url)
+    with first_page(browser, demonstration, invite(admin, "Sam", "operator")) as page:
+        client = client_of(page, demonstration.url)
         survey, recording, package = filled(client, clip)
-        link = client.post("/people", name="Rosa", email="rosa@example.org", role="viewer")["link"]
+        client.http.close()
         addresses = [f"/api/recordings/{recording}/frames/3.jpg?v=1", package]
         assert statuses(page, addresses) == statuses(page, addresses) == [200, 200]
 
@@ -43,14 +44,11 @@ def test_frames_and_packages_are_not_shown_from_the_cache(browser: Browser, tmp_
         expect(page.get_by_role("heading", name="Sign in")).to_be_visible()
         expect(page.get_by_text("Closed road")).to_have_count(0)
 
-        page.goto(link)
+        page.goto(invite(admin, "Rosa", "viewer"))
         expect(page.get_by_role("heading", name="Surveys", exact=True)).to_be_visible()
         assert statuses(page, addresses) == [404, 404]
         page.goto(f"/surveys/{survey}")
         expect(page.get_by_text("There is no survey")).to_be_visible()
-        client.http.close()
-    finally:
-        server.stop()
 
 
 def filled(client: Client, clip: Path) -> tuple[int, int, str]:

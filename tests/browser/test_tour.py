@@ -14,7 +14,7 @@ __all__ = ["places"]  # a fixture of every screen's
 STEPS = 7
 
 
-@pytest.fixture(params=["en-GB", "fr-FR"])
+@pytest.fixture(params=[pytest.param("en-GB", marks=pytest.mark.proof), "fr-FR"])
 def page(
     request: pytest.FixtureRequest, browser: Browser, demonstration: Server, admin_state: StorageState
 ) -> Iterator[Page]:

@@ -11,7 +11,7 @@ from .vehicles import TARGETS, click_at, own_vehicle, until, until_stored
 from .waits import keep_toasts
 
 
-@pytest.mark.parametrize("size", [(1440, 900), (1024, 768)])
+@pytest.mark.parametrize("size", [(1440, 900), pytest.param((1024, 768), marks=pytest.mark.proof)])
 def test_a_model_is_taken_by_key_and_one_that_cannot_fit_is_said(
     page: Page, demonstration: Server, size: tuple[int, int]
 ) -> None:

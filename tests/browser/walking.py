@@ -101,8 +101,8 @@ class Shown:
 def walking(context: BrowserContext) -> Iterator[Page]:
     """A page for a walk, which must end without a complaint of the browser's or an answer that is none."""
     complaints: list[str] = []
-    context.add_init_script(WATCH)
     page = context.new_page()
+    page.add_init_script(WATCH)
 
     def said(message: ConsoleMessage) -> None:
         if message.type in ("error", "warning"):
