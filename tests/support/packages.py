@@ -281,9 +281,9 @@ def sign_anew(place: Path) -> None:
 
 
 def rederive(place: Path, *, seal: bool = True) -> None:
-    """Compute statistics and draw figures and report anew from forged rows, with the program itself, write the
-    columns and the page; then reseal. Who forges what is found in the rows themselves need not: they are looked
-    at before all that is derived from them.
+    """Compute statistics and draw figures and report anew from forged rows, with the program itself, write
+    the columns and the page; then reseal. Who forges what is found in the rows themselves need not: they are
+    looked at before all that is derived from them.
     """
     staging = Staging(place)
     staging.written = _sums(place)
