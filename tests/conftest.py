@@ -26,6 +26,7 @@ from tests.support.proofs import PROOFS
 pytest_plugins = ["tests.support.processor_time"]
 #: Fixtures of who runs tests; who only hands them to workers need not import the program.
 GROUND = ("tests.support.app", "tests.support.drawn")
+pytest.register_assert_rewrite(*GROUND)  # a folder's conftest may import them first
 
 # A busy machine is slow, not wrong. The same commit draws the same few examples every time; `make proofs`
 # draws new ones, and many.
