@@ -23,7 +23,10 @@ from sightline.infra.database.engine import SessionFactory, make_engine, session
 from tests.support.kept import PostgresShelf, Shelf, SqliteShelf
 from tests.support.proofs import PROOFS
 
-pytest_plugins = ["tests.support.app", "tests.support.drawn", "tests.support.processor_time"]
+pytest_plugins = ["tests.support.processor_time"]
+#: Fixtures of who runs tests; who only hands them to workers need not import the program.
+GROUND = ("tests.support.app", "tests.support.drawn")
+pytest.register_assert_rewrite(*GROUND)  # a folder's conftest may import them first
 
 # A busy machine is slow, not wrong. The same commit draws the same few examples every time; `make proofs`
 # draws new ones, and many.
@@ -35,6 +38,12 @@ settings.load_profile("proofs" if PROOFS else "sightline")
 gc.disable()
 
 SERVER = os.environ.get("SIGHTLINE_TEST_DATABASE_URL", "")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    if "PYTEST_XDIST_WORKER" in os.environ or not config.getoption("numprocesses", None):
+        for name in GROUND:
+            config.pluginmanager.import_plugin(name)
 
 
 @pytest.hookimpl(tryfirst=True)

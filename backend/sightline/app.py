@@ -183,7 +183,7 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     app.state.demo_survey_id = demo_survey_id
     error_handlers.install(app)
     ballast = Ballast(settings.data_dir)
-    pages.install(app, settings)
+    pages.install(app)
     app.add_middleware(SignedInFirst, forms=form_routes())
     app.add_middleware(Idempotency, services=services, secret=secret)
     app.add_middleware(Spoken)

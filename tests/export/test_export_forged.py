@@ -75,7 +75,7 @@ def test_what_a_camera_that_moved_does_to_a_height_is_computed_again(
         codes = json.dumps([one.document for one in told], separators=(",", ":"), ensure_ascii=False)
         for name in ("measurements.csv", "revisions.csv"):
             edit(place, name, lambda _: True, flags="; ".join(map(str, told)), flags_code=codes)
-        rederive(place)
+        reseal(place)
         return check(place)
 
     for forged in ((), (Said("height-flag-camera-moved-height", moved_px=2.5, error_m=0.001),)):
@@ -146,7 +146,7 @@ def test_a_crop_repainted_with_its_hash_takes_the_head(package: Path) -> None:
     edit(
         package, "crops.csv", lambda one: one == row, sha256=sha256_hex((package / row["file"]).read_bytes())
     )
-    rederive(package, drawings=True, seal=False)
+    rederive(package, seal=False)
     assert "is not what the package’s seal" in str(check(package).problem)
     reseal(package)
     assert check(package).ok
@@ -159,7 +159,7 @@ def test_a_name_takes_the_head(package: Path) -> None:
     kept = rows(package, "audit.csv")[-1]["hash"]
     changed = [{**row, "name": f"Not {row['name']}"} for row in rows(package, "people.csv")]
     rewrite(package, "people.csv", changed)
-    rederive(package, drawings=True, seal=False)
+    rederive(package, seal=False)
     assert str(check(package).problem).startswith("tables/people.csv is not what the package’s seal")
     reseal(package)
     assert check(package).ok

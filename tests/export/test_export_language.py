@@ -97,7 +97,7 @@ def test_another_language_than_the_report_is_found(
     place = fetched(viewer, ground, work, tmp_path / "fr")
     path = place / "datapackage.json"
     path.write_text(path.read_text("utf-8").replace('"language": "fr"', f'"language": "{language}"'), "utf-8")
-    reseal(place)
+    reseal(place, page=True)
     assert not verify_package(FolderFiles(place)).ok
 
 

@@ -32,7 +32,6 @@ def carried(text: str) -> dict[str, bytes]:
 def resealed(place: Path, monkeypatch: pytest.MonkeyPatch) -> str:
     """The problem of a page that somebody wrote and sealed anew, with a key of their own."""
     with monkeypatch.context() as patch:
-        patch.setattr("tests.support.packages.write_page", lambda *_: None)
         patch.setattr("tests.support.packages.write_audit_script", lambda *_: None)
         reseal(place)
     return str(check(place).problem)
@@ -123,7 +122,7 @@ def test_a_table_that_is_too_large_is_named_and_not_carried(
     package: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(page, "MOST_BYTES", (package / "tables/measurements.csv").stat().st_size - 1)
-    reseal(package)
+    reseal(package, page=True)
     text = (package / "index.html").read_text()
     assert "tables/measurements.csv" not in carried(text) and "tables/budget.csv" in carried(text)
     assert '"left_out": ["tables/measurements.csv"' in text

@@ -198,7 +198,7 @@ def test_a_set_or_a_selection_that_was_changed_is_found(
     assert not found.ok and "classes.csv" in str(found.problem)
     edit(place, "classes.csv", lambda row: row["category"] == "van", class_set="light_trucks")
     edit(place, "selection.csv", lambda row: row["word"] == "heavy", word="light_trucks")
-    reseal(place)
+    reseal(place, page=True)
     found = verify_package(FolderFiles(place))
     assert not found.ok
 

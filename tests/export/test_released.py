@@ -174,7 +174,7 @@ def forge_with_its_event(place: Path) -> str:
     rewrite(place, "audit.csv", rehash(events, first))
     for table in ("measurements.csv", "revisions.csv"):
         edit(place, table, roof, height_m="1.309900")
-    rederive(place, drawings=True)
+    rederive(place)
     return head
 
 
@@ -206,14 +206,14 @@ def test_words_are_held_against_their_codes_and_codes_against_the_events(
             edit(package, table, lambda row: row["flags"] != "", **cells)
 
     forge(flags="Nothing is wrong.")
-    rederive(package, drawings=True)
+    rederive(package)
     assert "flags does not match the code beside it" in str(check(package).problem)
     later(WORDS)
     found = check(package)
     assert found.ok, found.problem
     assert "words" in found.not_checked and "put into words by another version" in " ".join(found.notes)
     forge(flags_code='[{"code":"height-flag-u-large","values":{}}]')
-    rederive(package, drawings=True)
+    rederive(package)
     assert "differs from its audit event" in str(check(package).problem)
 
 

@@ -26,7 +26,7 @@ from tests.support.ground import (
     flat_camera,
     measure,
 )
-from tests.support.packages import edit, rederive, rows, written
+from tests.support.packages import edit, reseal, rows, written
 
 pytestmark = pytest.mark.dialect
 Work = Callable[[], list[Job]]
@@ -356,7 +356,7 @@ def _fewer_to_review(place: Path) -> str:
 @pytest.mark.parametrize("forge", [_a_verdict_goes_over, _another_maker, _fewer_to_review])
 def test_what_is_forged_of_it_is_found(computed: Path, forge: Callable[[Path], str]) -> None:
     said = forge(computed)
-    rederive(computed)
+    reseal(computed)
     found = verify_package(FolderFiles(computed))
     assert not found.ok and said in str(found.problem), found.problem
 
@@ -416,7 +416,7 @@ def test_the_package_marks_what_is_out_of_date_as_the_pages_do(
         place = tmp_path / f"forged-{id_}"
         shutil.copytree(tmp_path / "posed", place)
         edit(place, path, lambda row: row["id"] == str(id_), out_of_date=forged)  # noqa: B023
-        rederive(place)
+        reseal(place)
         told = verify_package(FolderFiles(place))
         assert not told.ok and told.problem is not None
         assert told.problem.startswith(f"{path}: the out-of-date mark of {id_}")

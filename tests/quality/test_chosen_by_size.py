@@ -129,7 +129,7 @@ def test_the_package_says_it_and_computes_the_same_from_its_files(
     assert found.ok, found.problem
     # who takes the word out makes a reference of it, and is found
     edit(place, "vehicles.csv", lambda row: row["model_chosen_by"] == "size", model_chosen_by="seen")
-    reseal(place)
+    reseal(place, page=True)
     assert not verify_package(FolderFiles(place)).ok
 
 

@@ -24,7 +24,7 @@ pytestmark = pytest.mark.skipif(not CLIP.exists(), reason="the shared data folde
 
 @pytest.fixture(scope="module")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
-    started = start("serve", tmp_path_factory.mktemp("clip"))
+    started = start("serve --workers 1", tmp_path_factory.mktemp("clip"))
     started.wait()
     yield started
     started.stop()

@@ -102,7 +102,7 @@ def test_a_silent_line_is_taken_over_and_what_is_cut_and_killed_is_resumed(
         client.close()
         server.stop(signal.SIGKILL)
 
-        server = start("serve", tmp_path)
+        server = start("serve --workers 1", tmp_path)
         server.wait()
         again = httpx2.Client(
             base_url=server.url, headers={"X-Sightline": "1"}, cookies=client.cookies, timeout=NEVER_S

@@ -112,7 +112,7 @@ def test_a_package_carries_them_and_a_forged_one_is_found(
     for n, lie in enumerate(lies):
         forged = written(services, compared.survey_id, tmp_path / f"forged-{n}")
         edit(forged, "vehicles.csv", lambda row: row["check_target"] == "true", **lie)
-        reseal(forged)
+        reseal(forged, page=True)
         assert not verify_package(FolderFiles(forged)).ok
 
 

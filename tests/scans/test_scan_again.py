@@ -22,7 +22,7 @@ from sightline.scans.verify import check_verdicts_gone_over
 from tests.support import samples, scans_samples
 from tests.support.app import Client, error_of
 from tests.support.ground import add_vehicle, lay_ground, measure
-from tests.support.packages import edit, rederive, rows, written
+from tests.support.packages import edit, reseal, rows, written
 from tests.support.samples import Sample
 
 pytestmark = pytest.mark.dialect
@@ -353,7 +353,7 @@ def test_the_package_marks_lines_heights_that_are_out_of_date_and_a_forged_mark_
     assert set(marked("again").values()) == {""}
     place = tmp_path / "rod"
     edit(place, "line_heights.csv", lambda row: row["id"] == str(own["revision_id"]), out_of_date="")
-    rederive(place)
+    reseal(place)
     told = verify_package(FolderFiles(place))
     assert told.problem is not None
     assert told.problem.startswith(f"line_heights.csv: the out-of-date mark of {own['revision_id']}")
@@ -381,7 +381,7 @@ def _fewer_heights(place: Path) -> str:
 @pytest.mark.parametrize("forge", [_a_verdict_goes_over, _another_computing, _fewer_heights])
 def test_what_is_forged_of_it_is_found(computed: Path, forge: Callable[[Path], str]) -> None:
     said = forge(computed)
-    rederive(computed)
+    reseal(computed)
     found = verify_package(FolderFiles(computed))
     assert not found.ok and said in str(found.problem), found.problem
 

@@ -6,6 +6,7 @@ import shutil
 from collections.abc import Callable, Iterator
 from contextlib import closing
 from dataclasses import dataclass
+from functools import cache
 from http.cookiejar import CookieJar
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,7 @@ from argon2 import PasswordHasher
 from fastapi import FastAPI
 from fastapi.testclient import TestClient
 from pydantic import SecretStr
+from starlette import testclient
 
 from sightline.app import create_app
 from sightline.enums import Role
@@ -38,18 +40,19 @@ FRAMES, FRAME_WIDTH, FRAME_HEIGHT = 12, 320, 240
 TUS = {"Tus-Resumable": "1.0.0"}
 
 
+@cache
+def _settings() -> Settings:
+    """What all have alike: reading the environment for each takes as long as a request."""
+    return Settings(secret=SecretStr("a secret for tests only"), find_passes=False)
+
+
 def settings_of(home: Path, database_url: str) -> Settings:
     """Settings of a data folder and a database for tests alone."""
     data_dir = home / "data"
     data_dir.mkdir()
-    return Settings(
-        data_dir=data_dir,
-        database_url=database_url,
-        media_url=str(data_dir / "media"),
-        frontend_dir=home / "pages",
-        secret=SecretStr("a secret for tests only"),
-        find_passes=False,
-    )
+    own: dict[str, Any] = {"media_url": str(data_dir / "media"), "uploads_dir": data_dir / "uploads"}
+    own |= {"data_dir": data_dir, "database_url": database_url, "frontend_dir": home / "pages"}
+    return _settings().model_copy(update=own)
 
 
 @pytest.fixture
@@ -96,10 +99,29 @@ def services(settings: Settings, laid: "Laid", monkeypatch: pytest.MonkeyPatch) 
     opened.close()
 
 
+class _Whole(testclient._TestClientTransport):
+    """Each answer comes whole, by one call into the loop: in pieces, as a client has it, it takes eight."""
+
+    def handle_request(self, request: httpx2.Request) -> httpx2.Response:
+        request.read()
+        to_app = httpx2.ASGITransport(
+            self.app, self.raise_server_exceptions, root_path=self.root_path, client=self.client
+        )
+
+        async def answer() -> httpx2.Response:
+            given = await to_app.handle_async_request(request)
+            content = httpx2.ByteStream(b"".join([part async for part in given.aiter_raw()]))
+            return httpx2.Response(given.status_code, headers=given.headers, stream=content)
+
+        with self.portal_factory() as portal:
+            return portal.call(answer)
+
+
 @pytest.fixture(scope="session")
 def one_loop() -> Iterator[None]:
     """One event loop for all requests of the tests; a client on its own starts a loop for each."""
-    with start_blocking_portal() as portal:
+    with start_blocking_portal() as portal, pytest.MonkeyPatch.context() as patch:
+        patch.setattr(testclient, "_TestClientTransport", _Whole)
         TestClient.portal = portal
         yield
         TestClient.portal = None

@@ -26,13 +26,13 @@ def newest(row: Row) -> bool:
 def a_height(place: Path) -> str:
     for name in ("measurements.csv", "revisions.csv"):
         edit(place, name, roof, height_m="1.210000")
-    rederive(place)
+    reseal(place)
     return "states height 1.210000, its clicks give 1.310000 m"
 
 
 def a_height_in_one_table(place: Path) -> str:
     edit(place, "measurements.csv", roof, height_m="1.210000")
-    rederive(place)
+    reseal(place)
     return "another height_m than its last revision"
 
 
@@ -55,20 +55,20 @@ def a_click_and_its_height(place: Path) -> str:
     told = {"measurement_id": row["id"]}
     budget += [{**told, "source": one["source"], "u_m": f"{one['u_m']:.6f}"} for one in found.budget]
     rewrite(place, "budget.csv", sorted(budget, key=lambda one: int(one["measurement_id"])))
-    rederive(place)
+    reseal(place)
     return "differs from its audit event"
 
 
 def a_click_in_one_table(place: Path) -> str:
     edit(place, "clicks.csv", lambda row: row["target"] == "roof", contact_x_px="141.5")
-    rederive(place)
+    reseal(place)
     return "another contact_x_px than measurements.csv"
 
 
 def a_pose(place: Path) -> str:
     path = next(place.glob("poses/*.json"))
     path.write_text(path.read_text().replace('"rms_px": 0.1', '"rms_px": 0.2'))
-    rederive(place)
+    reseal(place)
     return f"poses/{path.name} is not the one recorded in the audit chain"
 
 
@@ -82,7 +82,7 @@ def a_pose_with_its_record(place: Path) -> str:
 def a_camera(place: Path) -> str:
     path = next(place.glob("calibrations/*.json"))
     path.write_text(path.read_text().replace('"fx_px": 150.0', '"fx_px": 151.0'))
-    rederive(place)
+    reseal(place)
     return f"calibrations/{path.name} is not the one recorded in the audit chain"
 
 
@@ -95,7 +95,7 @@ def a_row_taken_out(place: Path) -> str:
         drop(place, name, lambda one: one["measurement_id"] == row["id"])
     for path in place.glob(f"crops/m{row['id']}-*"):
         path.unlink()
-    rederive(place)
+    reseal(place)
     return "is missing, although it has an audit event"
 
 
@@ -109,7 +109,7 @@ def a_row_put_in(place: Path) -> str:
         same = mine if name == "budget.csv" else mine[-1:]
         prefix = "m" if mine[0][key].startswith("m") else ""
         rewrite(place, name, [*found, *({**row, key: f"{prefix}{new}"} for row in same)])
-    rederive(place)
+    reseal(place)
     return "measurement 99 has no audit event"
 
 
@@ -122,20 +122,20 @@ def a_makers_height(place: Path, drawings: bool = False) -> str:
     )
     for name in ("clicks.csv", *(f"clicks/{one.name}" for one in (place / "clicks").glob("pose-*.csv"))):
         edit(place, name, lambda row: row["target"] == "roof", reference_height_m="1.310000")
-    rederive(place, drawings)
+    (rederive if drawings else reseal)(place)
     return "vehicles.csv: manufacturer_height_m of row 1 differs from its audit events"
 
 
 def a_vehicles_state(place: Path) -> str:
     edit(place, "vehicles.csv", lambda row: row["state"] == "rejected", state="accepted")
-    rederive(place)
+    reseal(place)
     return "vehicles.csv: 1 is accepted, its measurements make it rejected"
 
 
 def an_operator(place: Path) -> str:
     for name in ("measurements.csv", "revisions.csv"):
         edit(place, name, roof, created_by_id="3")
-    rederive(place)
+    reseal(place)
     return "differs from its audit event"
 
 
@@ -149,7 +149,7 @@ def an_uncertainty(place: Path) -> str:
         if one["measurement_id"] == row["id"]:
             one["u_m"] = f"{float(one['u_m']) / 2:.6f}"
     rewrite(place, "budget.csv", budget)
-    rederive(place)
+    reseal(place)
     return "differs from its audit event"
 
 
@@ -160,21 +160,21 @@ def a_share_of_u(place: Path) -> str:
     assert one["u_m"] != other["u_m"]
     one["u_m"], other["u_m"] = other["u_m"], one["u_m"]
     rewrite(place, "budget.csv", budget)
-    rederive(place)
+    reseal(place)
     return "budget.csv: the contributions to 1 differ from its audit event"
 
 
 def where_an_inset_came_from(place: Path) -> str:
     for name in ("measurements.csv", "revisions.csv"):
         edit(place, name, roof, inset_from="usual")
-    rederive(place)
+    reseal(place)
     return "differs from its audit event"
 
 
 def a_flag_taken_out(place: Path) -> str:
     for name in ("measurements.csv", "revisions.csv"):
         edit(place, name, lambda row: row["flags"] != "", flags="", flags_code="")
-    rederive(place)
+    reseal(place)
     return "differs from its audit event"
 
 
@@ -182,44 +182,44 @@ def a_frame_s_time(place: Path) -> str:
     """In every table that tells it."""
     for name in ("measurements.csv", "revisions.csv", "frames.csv"):
         edit(place, name, lambda row: row["frame"] == "2", time_s="0.5")
-    rederive(place)
+    reseal(place)
     return "differs from its audit event"
 
 
 def a_recording_s_name(place: Path) -> str:
     (row,) = rows(place, "recordings.csv")
     rewrite(place, "recordings.csv", [{**row, "name": "another.mp4"}])
-    rederive(place)
+    reseal(place)
     return "recordings.csv: name of row 1 differs from its audit events"
 
 
 def a_recording_s_length(place: Path) -> str:
     edit(place, "recordings.csv", lambda row: True, duration_s="123.0")
-    rederive(place)
+    reseal(place)
     return "recordings.csv: duration_s of row 1 differs from its audit events"
 
 
 def an_invented_survey(place: Path) -> str:
     edit(place, "survey.csv", lambda row: True, simulated="true")
-    rederive(place)
+    reseal(place)
     return "survey.csv: simulated of row 1 differs from its audit events"
 
 
 def a_board_s_corners(place: Path) -> str:
     edit(place, "poses.csv", lambda row: row["id"] == "1", board_columns="10", board_rows="7")
-    rederive(place)
+    reseal(place)
     return "poses.csv: pose 1 differs from records/pose-1.json"
 
 
 def a_cell_of_a_pose_emptied(place: Path) -> str:
     edit(place, "poses.csv", lambda row: row["id"] == "1", u_reference_height_m="")
-    rederive(place)
+    reseal(place)
     return "poses.csv: pose 1 differs from records/pose-1.json"
 
 
 def a_pose_s_file(place: Path) -> str:
     edit(place, "poses.csv", lambda row: row["id"] == "1", document="poses/pose-2.json")
-    rederive(place)
+    reseal(place)
     return "poses.csv: pose 1 differs from records/pose-1.json"
 
 
@@ -227,7 +227,7 @@ def _of_clicks(place: Path, **cells: str) -> str:
     """What the clicks of m1 repeat of its vehicle, in every file of clicks."""
     for path in ("clicks.csv", "clicks/pose-1.csv"):
         edit(place, path, lambda row: row["id"] == "m1", **cells)
-    rederive(place)
+    reseal(place)
     return f"clicks.csv: m1 has another {min(cells)} than its vehicle in vehicles.csv"
 
 
@@ -249,7 +249,7 @@ def a_rejected_height_that_counts(place: Path) -> str:
     """`sightline distribution` and `errors` would evaluate it."""
     for path in ("clicks.csv", "clicks/pose-1.csv"):
         edit(place, path, lambda row: row["target"] == "taillight", counts="true", error_counts="true")
-    rederive(place)
+    reseal(place)
     return "the rows give false, false"
 
 
@@ -257,13 +257,13 @@ def a_verdict(place: Path) -> str:
     for name in ("measurements.csv", "reviews.csv"):
         edit(place, name, lambda row: row["verdict"] == "rejected", verdict="accepted")
     edit(place, "vehicles.csv", lambda row: row["state"] == "rejected", state="accepted")
-    rederive(place)
+    reseal(place)
     return "differs from its audit event"
 
 
 def an_event(place: Path) -> str:
     edit(place, "audit.csv", lambda row: row["action"] == "revise", action="create")
-    rederive(place)
+    reseal(place)
     return "is not the one that was hashed"
 
 
@@ -274,7 +274,7 @@ def an_event_and_its_hash(place: Path) -> str:
     events[at]["actor_id"] = str(int(events[at]["actor_id"]) + 1)
     only = rehash([dict(one) for one in events], at)
     rewrite(place, "audit.csv", [*only[: at + 1], *events[at + 1 :]])
-    rederive(place)
+    reseal(place)
     return "does not follow from the one before"
 
 
@@ -286,7 +286,7 @@ def an_event_left_out(place: Path) -> str:
     rewrite(place, "audit.csv", events)
     edit(place, "measurements.csv", lambda row: row["verdict"] == "rejected", verdict="to_review")
     drop(place, "reviews.csv", lambda row: row["verdict"] == "rejected")
-    rederive(place)
+    reseal(place)
     return "does not follow from the one before"
 
 
@@ -316,25 +316,25 @@ def crops_exchanged(place: Path) -> str:
 
 def a_foreign_key(place: Path) -> str:
     drop(place, "people.csv", lambda row: row["name"] == "Reviewer")
-    rederive(place)
+    reseal(place)
     return "is not in people.csv"
 
 
 def a_frame(place: Path) -> str:
     edit(place, "frames.csv", lambda row: row["frame"] == "2", crc32="1")
-    rederive(place)
+    reseal(place)
     return "frames.csv: frame 2 of recording 1 differs from the audit events of its measurements"
 
 
 def an_inset(place: Path) -> str:
     edit(place, "insets.csv", lambda row: row["target"] == "driver_eye_near", inset_m="0.100000")
-    rederive(place)
+    reseal(place)
     return "insets.csv: inset_m of row driver_eye_near differs from its audit events"
 
 
 def a_standard(place: Path) -> str:
     edit(place, "standards.csv", lambda row: row["name"] == "France", height_m="0.900000")
-    rederive(place)
+    reseal(place)
     return "standards.csv: height_m of row "
 
 
@@ -348,20 +348,20 @@ def the_report(place: Path) -> str:
 def another_time(place: Path) -> str:
     for name in ("measurements.csv", "revisions.csv"):
         edit(place, name, roof, created_at="2020-01-01T00:00:00.000000Z")
-    rederive(place)
+    reseal(place)
     return "differs from its audit event"
 
 
 def another_version(place: Path) -> str:
     for name in ("measurements.csv", "revisions.csv"):
         edit(place, name, roof, code_version="9.9.9")
-    rederive(place)
+    reseal(place)
     return "differs from its audit event"
 
 
 def a_repeat_s_time(place: Path) -> str:
     edit(place, "repeats.csv", lambda row: True, created_at="2020-01-01T00:00:00.000000Z")
-    rederive(place)
+    reseal(place)
     return "repeats.csv: "
 
 
@@ -369,37 +369,37 @@ def a_review_s_time(place: Path) -> str:
     early = "2020-01-01T00:00:00.000000Z"
     edit(place, "reviews.csv", lambda row: row["verdict"] == "accepted", at=early)
     edit(place, "measurements.csv", lambda row: row["verdict"] == "accepted", reviewed_at=early)
-    rederive(place)
+    reseal(place)
     return "differs from its audit event"
 
 
 def a_pose_s_maker(place: Path) -> str:
     edit(place, "poses.csv", lambda row: True, created_at="2020-01-01T00:00:00.000000Z")
-    rederive(place)
+    reseal(place)
     return "has another author or time"
 
 
 def tyres_at_another_time(place: Path) -> str:
     edit(place, "wheel_pairs.csv", lambda row: True, created_at="2020-01-01T00:00:00.000000Z")
-    rederive(place)
+    reseal(place)
     return "wheel_pairs.csv: created_at of row 1 differs from its audit event"
 
 
 def a_camera_that_stood_still(place: Path) -> str:
     edit(place, "recordings.csv", lambda row: True, drift_state="still", drift_moved_px="")
-    rederive(place)
+    reseal(place)
     return "recordings.csv: drift_state of row 1 differs from its audit events"
 
 
 def a_smaller_motion(place: Path) -> str:
     edit(place, "recordings.csv", lambda row: True, drift_height_m="0.001000")
-    rederive(place)
+    reseal(place)
     return "recordings.csv: drift_height_m of row 1 differs from its audit events"
 
 
 def a_decision(place: Path) -> str:
     edit(place, "recordings.csv", lambda row: True, drift_decision="Nobody was there.")
-    rederive(place)
+    reseal(place)
     return "recordings.csv: drift_decision of row 1 differs from its audit events"
 
 

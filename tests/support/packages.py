@@ -20,11 +20,12 @@ from sightline.export.build import build
 from sightline.export.derived import derive_tables, draw_derived_files
 from sightline.export.package_tables import tables_of
 from sightline.export.page import write_audit_script, write_page
-from sightline.export.seal import PAGE, sealed_hashes
+from sightline.export.seal import CHECKPOINT, PAGE, sealed_hashes
 from sightline.infra.audit.hashing import canonical_json, event_hash, link_hash
 from sightline.infra.audit.merkle import root_of
 from sightline.infra.audit.records import AuditHead
 from sightline.infra.audit.signing import SigningKey
+from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.chain import hashed_values
 from sightline.infra.csv_package.files import FolderFiles, Staging, fresh_folder, place_of, sum_of
 from sightline.infra.csv_package.parquet import write_parquet
@@ -226,34 +227,37 @@ def drop(place: Path, name: str, where: Callable[[dict[str, str]], bool]) -> Non
     rewrite(place, name, kept)
 
 
-def reseal(place: Path, *, seal: bool = True) -> None:
+def reseal(place: Path, *, seal: bool = True, page: bool = False) -> None:
     """Make all sums fit, in the description and in the list, as a forger would; and, with `seal`, write the
-    chain's last event anew, so that what is found is found without it.
+    chain's last event anew, so that what is found is found without it; with `page`, the page, which is looked
+    at last.
     """
     described = json.loads((place / DESCRIPTION).read_text())
     files = FolderFiles(place)
     staging = Staging(place)
     staging.written = _sums(place)
-    if PAGE in files.paths:
+    if page and PAGE in files.paths:
         write_page(staging, _tables(place), described["language"])
     for resource in described["resources"]:
-        if "hash" in resource and resource["path"] in files.paths:
-            found = sum_of(files, resource["path"])
+        if "hash" in resource and (found := staging.written.get(resource["path"])):
             resource["bytes"], resource["hash"] = found.size, f"sha256:{found.sha256}"
-    (place / DESCRIPTION).write_bytes(json_bytes(described))
+    staging.add(DESCRIPTION, json_bytes(described))
     if seal:
-        seal_anew(place)
-    staging.written = _sums(place)
+        seal_anew(place, staging.written)
+        for path in (AUDIT.path, CHECKPOINT):
+            staging.written[path] = sum_of(files, path)
     write_audit_script(staging)
     staging.add_checksums()
 
 
-def seal_anew(place: Path) -> None:
-    """The chain's last event written anew, with its hashes: what only the kept head of the chain tells."""
+def seal_anew(place: Path, sums: dict[str, Written]) -> None:
+    """The chain's last event written anew over these sums, with its hashes: what only the kept head of the
+    chain tells.
+    """
     events = rows(place, "audit.csv")
     lines = (place / "audit.csv").read_bytes().splitlines(keepends=True)
     after = json.loads(events[-1]["after"])
-    after["files"] = sealed_hashes(_sums(place), sha256_hex(b"".join(lines[:-1])))
+    after["files"] = sealed_hashes(sums, sha256_hex(b"".join(lines[:-1])))
     events[-1]["after"] = canonical_json(after)
     text = io.StringIO()
     out = csv.DictWriter(text, list(events[-1]), lineterminator="\n", extrasaction="ignore")
@@ -276,19 +280,19 @@ def sign_anew(place: Path) -> None:
     (place / "checkpoint.json").write_bytes(json_bytes({**document, "keys": keys}))
 
 
-def rederive(place: Path, drawings: bool = False, *, seal: bool = True) -> None:
-    """Compute statistics (and draw figures and report) anew from forged rows, with the program itself; then
-    reseal. A forgery that is found before drawings are looked at need not draw them.
+def rederive(place: Path, *, seal: bool = True) -> None:
+    """Compute statistics and draw figures and report anew from forged rows, with the program itself, write
+    the columns and the page; then reseal. Who forges what is found in the rows themselves need not: they are
+    looked at before all that is derived from them.
     """
     staging = Staging(place)
     staging.written = _sums(place)
+    language = json.loads((place / DESCRIPTION).read_text("utf-8"))["language"]
     found = derive_tables(staging)
-    if drawings:
-        told = json.loads((place / "datapackage.json").read_text("utf-8"))
-        for path, content in draw_derived_files(staging.files(), found, staging.written, told["language"]):
-            staging.add(path, content)
+    for path, content in draw_derived_files(staging.files(), found, staging.written, language):
+        staging.add(path, content)
     columns_again(place)
-    reseal(place, seal=seal)
+    reseal(place, seal=seal, page=True)
 
 
 def columns_again(place: Path) -> None:

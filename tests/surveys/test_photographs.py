@@ -16,7 +16,7 @@ from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from sightline.surveys.photographs import service
 from tests.support.app import Client, error_of
-from tests.support.packages import drop, edit, ground, package, photograph, rederive, rows, worked, written
+from tests.support.packages import drop, edit, ground, package, photograph, reseal, rows, worked, written
 
 __all__ = ["ground", "package", "worked"]
 
@@ -148,26 +148,26 @@ def exchanged(place: Path) -> str:
     (place / row["file"]).write_bytes(content)
     cells = {"sha256": sha256_hex(content), "size_bytes": str(len(content))}
     edit(place, "photographs.csv", lambda one: one["id"] == row["id"], **cells)
-    rederive(place)
+    reseal(place)
     return "differs from its audit events"
 
 
 def exchanged_alone(place: Path) -> str:
     row = rows(place, "photographs.csv")[0]
     (place / row["file"]).write_bytes(told_bytes(30, 60))
-    rederive(place)
+    reseal(place)
     return f"{row['file']} is not the photograph named by its audit event"
 
 
 def a_caption(place: Path) -> str:
     edit(place, "photographs.csv", lambda row: row["position"] == "1", caption="Another road")
-    rederive(place)
+    reseal(place)
     return "photographs.csv: caption of row"
 
 
 def taken_out(place: Path) -> str:
     drop(place, "photographs.csv", lambda row: row["position"] == "2")
-    rederive(place)
+    reseal(place)
     return "photographs.csv: row 2 is missing, although it has an audit event"
 
 

@@ -7,7 +7,7 @@ COLUMNS.
 
 import re
 from collections.abc import Mapping
-from functools import cache
+from functools import cache, lru_cache
 from importlib.resources import files
 
 from sightline import messages
@@ -24,6 +24,7 @@ def translate_text(text: str, language: str) -> str:
     return text if key is None else messages.say(key, {}, language)
 
 
+@lru_cache(maxsize=4096)
 def translated_meaning(meaning: str, language: str) -> str:
     """What a column means, in a language; as it is where no page explains that column."""
     for pattern, key in _meanings().items() if language != messages.SOURCE else ():

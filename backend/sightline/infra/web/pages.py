@@ -4,11 +4,9 @@ import mimetypes
 import re
 from pathlib import Path
 
-from fastapi import FastAPI, Request
+from fastapi import APIRouter, FastAPI, Request
 from fastapi.responses import FileResponse, HTMLResponse, Response
 from starlette.exceptions import HTTPException
-
-from sightline.settings import Settings
 
 # the addresses of frontend/src/core/places.ts
 FRONT_END_ROUTE = re.compile(
@@ -38,29 +36,40 @@ START = """SwaggerUIBundle({
 """
 
 
-def install(app: FastAPI, settings: Settings) -> None:
+router = APIRouter(include_in_schema=False)
+
+
+def install(app: FastAPI) -> None:
     """Add the pages, after the API; a path that is none of them is a 404, for a browser with our pages."""
-    folder = settings.frontend_dir
+    app.router.routes.extend(router.routes)
 
-    def docs() -> Response:
-        if not (folder / "swagger" / "swagger-ui-bundle.js").is_file():
-            return HTMLResponse(NOT_BUILT, status_code=503)
-        return HTMLResponse(DOCS)
 
-    def start() -> Response:
-        return Response(START, media_type="text/javascript")
+def _folder(request: Request) -> Path:
+    folder: Path = request.app.state.services.settings.frontend_dir
+    return folder
 
-    def page(path: str, request: Request) -> Response:
-        try:
-            return answer_page(folder, path, request.headers.get("accept-encoding", ""))
-        except HTTPException:
-            if not _asked_by_a_browser(request) or path.split("/")[0] == "api":
-                raise
-            return _index(folder, 404)
 
-    app.add_api_route("/docs", docs, include_in_schema=False)
-    app.add_api_route("/docs/start.js", start, include_in_schema=False)
-    app.add_api_route("/{path:path}", page, methods=["GET", "HEAD"], include_in_schema=False)
+@router.get("/docs")
+def docs(request: Request) -> Response:
+    if not (_folder(request) / "swagger" / "swagger-ui-bundle.js").is_file():
+        return HTMLResponse(NOT_BUILT, status_code=503)
+    return HTMLResponse(DOCS)
+
+
+@router.get("/docs/start.js")
+def start() -> Response:
+    return Response(START, media_type="text/javascript")
+
+
+@router.api_route("/{path:path}", methods=["GET", "HEAD"])
+def page(path: str, request: Request) -> Response:
+    folder = _folder(request)
+    try:
+        return answer_page(folder, path, request.headers.get("accept-encoding", ""))
+    except HTTPException:
+        if not _asked_by_a_browser(request) or path.split("/")[0] == "api":
+            raise
+        return _index(folder, 404)
 
 
 def answer_page(folder: Path, path: str, encodings: str = "") -> Response:
