@@ -1,5 +1,6 @@
 import { render } from "preact";
 import { useRef } from "preact/hooks";
+import { act } from "preact/test-utils";
 import { afterEach, beforeEach, expect, it } from "vitest";
 import { useOneTabStop } from "./oneTabStop";
 
@@ -21,10 +22,9 @@ function List({ current, rows }: { current: number; rows: number }) {
 
 const buttons = () => [...document.querySelectorAll("button")];
 const stops = () => buttons().flatMap((one, n) => (one.tabIndex === 0 ? [n] : []));
-const shown = async (current: number, rows = 4) => {
-  render(<List current={current} rows={rows} />, document.body);
-  await new Promise((done) => setTimeout(done, 30));
-};
+/** Rendered, its effects run, and what the observer of changes was told done. */
+const shown = (current: number, rows = 4) =>
+  act(async () => render(<List current={current} rows={rows} />, document.body));
 const press = (key: string) =>
   document.activeElement?.dispatchEvent(
     new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }),

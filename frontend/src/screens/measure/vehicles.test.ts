@@ -1,4 +1,4 @@
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 import { ApiError } from "../../core/api";
 import { Outbox } from "../../core/outbox";
 import type { Vehicle } from "../../core/types";
@@ -96,8 +96,7 @@ describe("Vehicles", () => {
     vehicles.edit(7, { make: "Peugeot" });
     other({ year: 2019 });
     await vehicles.flush(7);
-    await new Promise((done) => setTimeout(done, 5));
-    expect(stored()).toMatchObject({ make: "Peugeot", year: 2019 });
+    await vi.waitFor(() => expect(stored()).toMatchObject({ make: "Peugeot", year: 2019 }));
     expect(told[0]).toContain("AB changed this vehicle");
   });
 
