@@ -51,12 +51,14 @@ class Edge:
     """One boundary: its line, None where the bands show none; doubtful where few bands near it are clear.
 
     `u_lines`: standard uncertainty by the scatter of the bands about the outline, by what too few of them may
-    hide, and by greys that change behind the edge, 0 where there is no line.
+    hide, and by greys that change behind the edge, 0 where there is no line. `u_between_lines`: by
+    interpolating between lines, which either camera does for itself.
     """
 
     line: float | None
     doubtful: bool = True
     u_lines: float = 0.0
+    u_between_lines: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -217,6 +219,8 @@ def _end_of(x: NDArray[np.intp], y: Floats, s: Floats, uneven: Floats) -> _End:
         c, normal, strays = _weighted_fit(place, y, s, 1)
         at = float(place.min() if c[1] > 0 else place.max())
     gradient = at ** np.arange(len(c))
+    # a band's edge is the mean over its height, which of a parabola lies bend / 12 behind the outline
+    gradient[2:] -= 1 / 12
     wider = max(1.0, strays)
     if is_flat:
         wider = (
