@@ -5,7 +5,8 @@ import pytest
 from scipy.ndimage import gaussian_filter1d
 from scipy.stats import norm
 
-from sightline.linescan.boundaries import edge_near
+from sightline.linescan.boundaries import _band_edges, _box, edge_near, left_between_lines
+from sightline.linescan.outline import Bands, Seen, fit_foremost_edge
 
 pytestmark = pytest.mark.once
 ROWS, PER_M = 240, 400.0
@@ -94,3 +95,53 @@ def test_rows_of_the_roads_own_grey_make_a_round_end_less_sure_by_what_they_hide
             assert one.line is not None and one.u_lines < most
             assert abs(one.line + 1 - EDGE) < 2 * one.u_lines
     assert min(one.u_lines for one in hidden) > 3 * max(one.u_lines for one in whole)
+
+
+def interpolated(optics_lines: float) -> tuple[float, float]:
+    """What interpolation leaves of a step blurred so much, root mean square over where in a line it lies, and
+    by which share it rises from line to line there: integrals of a Gaussian's distribution over each line.
+    """
+    errors, rises = [], []
+    lines = np.arange(-8, 9)
+    for edge in np.linspace(-0.5, 0.5, 100, endpoint=False):
+        below, above = ((lines + half - edge) / optics_lines for half in (-0.5, 0.5))
+        area = [optics_lines * (x * norm.cdf(x) + norm.pdf(x)) for x in (below, above)]
+        seen = area[1] - area[0]
+        last = int(np.flatnonzero(seen < 0.5)[-1])
+        rise = seen[last + 1] - seen[last]
+        errors.append(lines[last] + (0.5 - seen[last]) / rise - edge)
+        rises.append(rise)
+    return float(np.std(errors)), float(np.mean(rises))
+
+
+@pytest.mark.parametrize("optics_lines", [0.02, 0.3, 0.5, 0.8, 1.3])
+def test_less_is_left_between_lines_of_an_edge_that_rises_over_several(optics_lines: float) -> None:
+    left, rise = interpolated(optics_lines)
+    assert left_between_lines(rise) == pytest.approx(left, rel=0.1)
+
+
+def test_a_blurred_edge_says_what_is_left_between_its_lines() -> None:
+    """The picture's optics are 1.6 lines, means over 3 lines widen them: less than a hundredth is left."""
+    assert 0 < found(picture()).u_between_lines < 0.01
+
+
+@pytest.mark.parametrize("size", [1, 3, 7])
+def test_u_of_a_bands_edge_is_the_scatter_that_noise_gives_it(size: int) -> None:
+    """Over 4000 bands of the same edge, noise of 3 per line; the optics are 1.2 lines."""
+    lines = np.arange(120)[:, None]
+    noise = np.random.default_rng(size).normal(0.0, 3.0, (120, 4000))
+    smooth = _box(80 * norm.cdf((lines - 60.3) / 1.2) + noise, size)
+    (edges, u, _, clear), _ = _band_edges(smooth, (3.0 / np.sqrt(size), 3.0), (2.0, 3.0), 300.0, size)
+    # means repeat the first line, whose noise may pass for an edge
+    assert clear.mean() > 0.98
+    assert float(np.sqrt(np.mean(u[clear] ** 2))) == pytest.approx(float(np.std(edges[clear])), rel=0.12)
+
+
+@pytest.mark.parametrize("bend", [1.0, 3.0])
+def test_a_round_end_is_less_sure_by_its_bend_for_it_may_be_no_parabola(bend: float) -> None:
+    place, none = np.arange(40) - 20.0, np.zeros(40)
+    for edges in (100 + bend * place**2, 100 + bend * place**4 / 9.6):
+        bands = Bands(edges, np.full(40, 0.1), none, none, np.ones(40, bool))
+        end = fit_foremost_edge(bands, Seen(np.zeros((300, 40)), 4.0, 1.3, PER_M))
+        assert end.line is not None and abs(end.line - 100) < 3 * end.u_lines
+        assert end.u_lines > bend / 5

@@ -54,8 +54,13 @@ AHEAD_M = 0.008
 # much of a vehicle is seldom of one grey.
 FAINT_TIMES, FAINT_SHARE = 4.0, 4.0
 # what interpolating half the grey between two lines leaves of an edge that fell into a line of full exposure:
-# with a share f of that line covered it is off by (0.5 - f) f / (1 - f) lines; root mean square over f
-U_LINE_LINES = 0.06
+# with a share f of that line covered it is off by (0.5 - f) f / (1 - f) lines; root mean square over f. Of an
+# edge that rises by less than STEP of the greys' difference from line to line, for it is spread over several
+# (optics, means over lines), less is left: as this power of what it rises by. Own computation for Gaussian
+# optics of up to 1.3 lines, within a tenth (tests/linescan/test_boundaries.py).
+U_LINE_LINES, STEP, STEP_POWER = 0.06, 0.72, 2.4
+# var of a median over that of a mean
+OF_MEDIAN = 1.57
 
 
 def refine_crossings(passage: Passage, rig: Rig) -> tuple[Crossings, float]:
@@ -67,7 +72,7 @@ def refine_crossings(passage: Passage, rig: Rig) -> tuple[Crossings, float]:
     rough = passage.crossings
     delay = (rough.front_line_2 - rough.front_line_1 + rough.rear_line_2 - rough.rear_line_1) / 2
     per_m = max(abs(delay), 1.0) / baseline_of(rig)[0]
-    lines, u_m = [], []
+    lines, u_m, between = [], [], []
     for line, rear, second in (
         (rough.front_line_1, False, False),
         (rough.rear_line_1, True, False),
@@ -79,8 +84,9 @@ def refine_crossings(passage: Passage, rig: Rig) -> tuple[Crossings, float]:
         edge = edge_near(picture, road, line - start, rear, per_m, passage.noise_dn, rig.shadow_share)
         lines.append(line if edge.line is None else start + edge.line)
         u_m.append(hypot(edge.u_lines / per_m, FLAT_M, DOUBT_M * edge.doubtful))
+        between.append(edge.u_between_lines / per_m)
     variance = sum((a * a + b * b + 2 * SAME_END * a * b) / 4 for a, b in zip(u_m[:2], u_m[2:], strict=True))
-    return Crossings(*lines), sqrt(variance)
+    return Crossings(*lines), hypot(sqrt(variance), hypot(*between) / 2)
 
 
 def edge_near(
@@ -112,11 +118,15 @@ def edge_near(
     soft = max(1, round(SOFT_M * (1 + (noise_dn > NOISY_DN)) * lines_per_m))
     smooth = _box(differs, soft)
     sigma = 1.15 * noise_dn / np.sqrt(height * soft)
+    own = noise_dn / sqrt(height)
     least = np.maximum((LEAST_SHARE, CLEAR_GREY_SHARE), LIGHT_TIMES * unrest) * float(np.median(lit))
     limits = float(least[0]), float(least[1])
     long = round(FAINT_TIMES * soft) // 2 * 2 + 1
-    faint = _band_edges(_box(differs, long), sigma * sqrt(soft / long), limits, lines_per_m, long)
-    edges, u, ahead, clear = _with_faint(_band_edges(smooth, sigma, limits, lines_per_m), faint, long)
+    faint, _ = _band_edges(
+        _box(differs, long), (sigma * sqrt(soft / long), own), limits, lines_per_m, long, True
+    )
+    sharp, rise = _band_edges(smooth, (sigma, own), limits, lines_per_m, soft + 1 - soft % 2)
+    edges, u, ahead, clear = _with_faint(sharp, faint, long)
     uneven = _uneven(smooth, edges, lines_per_m)
     bands = Bands(edges, np.hypot(u, BUMPY_M * lines_per_m), uneven, ahead, clear)
     found = fit_foremost_edge(
@@ -124,7 +134,15 @@ def edge_near(
     )
     if found.line is None:
         return found
-    return Edge(hi - 1 - found.line if rear else lo + found.line, found.doubtful, found.u_lines)
+    line = hi - 1 - found.line if rear else lo + found.line
+    return Edge(line, found.doubtful, found.u_lines, left_between_lines(rise))
+
+
+def left_between_lines(rise: float) -> float:
+    """Standard uncertainty, lines, that interpolating leaves of an edge which rises by so much of the greys'
+    difference from one line to the next.
+    """
+    return float(U_LINE_LINES * min(rise / STEP, 1.0) ** STEP_POWER)
 
 
 def _as_lit(road: NDArray[np.float32], outside: Pixels) -> tuple[NDArray[np.float32], float]:
@@ -181,13 +199,23 @@ def _with_faint(seen: _Edges, faint: _Edges, long: int) -> _Edges:
 
 
 def _band_edges(
-    smooth: Floats, sigma: float, least: tuple[float, float], lines_per_m: float, long: int = 0
-) -> _Edges:
+    smooth: Floats,
+    noise: tuple[float, float],
+    least: tuple[float, float],
+    lines_per_m: float,
+    size: int,
+    faint: bool = False,
+) -> tuple[_Edges, float]:
     """(bands,) line at which each band is half the way to the vehicle's grey, u of that line by noise, lines
-    before it in which something else differs from the road, and whether it is clear. `least`: grey values by
-    which something, and something clear, differs from the road.
+    before it in which something else differs from the road, and whether it is clear; and by which share of
+    the grey clear ones rise from line to line there. `smooth`: means over `size` lines. `noise`: of such a
+    mean at most, and of one line. `least`: grey values by which something, and something clear, differs.
+
+    The half-way line's noise is that of the two means it lies between, which share all lines but one, and
+    half of that of the vehicle's grey, a median.
     """
     count, bands = smooth.shape
+    sigma, long = noise[0], size if faint else 0
     every = np.arange(bands)
     limit = max(SIGMAS * sigma, least[0])
     beyond = np.abs(smooth) > limit
@@ -206,12 +234,16 @@ def _band_edges(
     part = np.clip((half - y0) / np.maximum(y1 - y0, 1e-9), 0, 1)
     steady = np.abs(level) > max(SIGMAS * sigma, least[1])
     inside = beyond.any(0) & below.any(0) & (last > 0) & (start + near < count)
-    # of the level, half of whose noise comes on top, and of the line itself
     steep = np.maximum(np.maximum(y1 - y0, np.abs(level) / max(EDGE_M * lines_per_m, 1.5, long)), 1e-9)
     lead = last + part - start
     turns = smooth[start, every] * level < 0
     ahead = np.where(turns, lead, (lead - AHEAD_M * lines_per_m) * (lead > TOLD_M * lines_per_m)) * inside
-    return last + part, 1.2 * sigma / steep, ahead, steady & inside
+    of_line = (size - 1 / 3) / size**2
+    of_level = OF_MEDIAN / (len(places) + size - 1) / 4
+    u = noise[1] * sqrt(of_line + of_level) / steep
+    clear = steady & inside
+    rise = float(np.median(((y1 - y0) / np.maximum(np.abs(level), 1e-9))[clear])) if clear.any() else 1.0
+    return (last + part, u, ahead, clear), rise
 
 
 def _uneven(smooth: Floats, edges: Floats, lines_per_m: float) -> Floats:

@@ -68,8 +68,7 @@ def budget_of(
     answer = _answer_to_shift(fit) * u_shift
     due = np.outer(answer, answer)
     apart = gone(f2) - course.baseline_m, gone(r2) - gone(r1) - course.baseline_m
-    u_lines_m = U_LINE_LINES * v / rig.line_rate_hz
-    u_edges = float(np.hypot(_u_edges(*apart, passage.u_boundaries_m), u_lines_m))
+    u_edges = _u_edges(*apart, passage.u_boundaries_m, U_LINE_LINES * v / rig.line_rate_hz)
     gradient = np.array([by_speed, by_acceleration])
 
     def entry(source: str, spread: Floats) -> Entry:
@@ -124,9 +123,11 @@ def _answer_to_shift(fit: Fit) -> Floats:
     return np.asarray(-np.linalg.lstsq(normal / np.outer(size, size), right / size, rcond=1e-12)[0] / size)
 
 
-def _u_edges(front_m: float, rear_m: float, u_found_m: float) -> float:
-    """Of the length: how well both ends were found, which their bands say, or a usual end's where a person
-    placed them; or what both cameras disagree about the same boundary if that is more.
+def _u_edges(front_m: float, rear_m: float, u_found_m: float, u_line_m: float) -> float:
+    """Of the length: how well both ends were found, which their bands say, or a usual end's and what lies
+    between two lines (`u_line_m`) where a person placed them; or what both cameras disagree about the same
+    boundary if that is more.
     """
     disagree = (front_m**2 + rear_m**2) / 4
-    return float(np.sqrt(max(disagree, u_found_m**2) if u_found_m else 2 * U_EDGE_M**2 + disagree))
+    by_hand = 2 * U_EDGE_M**2 + disagree + u_line_m**2
+    return float(np.sqrt(max(disagree, u_found_m**2) if u_found_m else by_hand))

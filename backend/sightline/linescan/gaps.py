@@ -150,12 +150,13 @@ def _gap(before: Measured, this: Measured) -> Gap:
 
 def _u_crossing_s(motion: Motion, speed_mps: float, line_rate_hz: float) -> float:
     """Of the moment at which one end of a vehicle crosses camera 1: an end is known to so many metres at any
-    speed, as the length's budget says of both together; between two lines it was interpolated.
+    speed, as the length's budget says of both together; one that a person placed, to no less than lines are.
     """
     of_length = {one.source: one.u_length_m for one in motion.budget}
     # the paper's length is camera 1's alone, the other the mean of both cameras', interpolated in both
     both_m = of_length.get("boundaries", 0.0)
-    lines_m = U_LINE_LINES * (motion.speed_mps or 0.0) / line_rate_hz
+    lines = 0.0 if both_m and motion.u_boundaries_m else U_LINE_LINES
+    lines_m = lines * (motion.speed_mps or 0.0) / line_rate_hz
     one_m = sqrt(max(both_m**2 - lines_m**2, 0.0) / (1 + SAME_END))
     one_m = hypot(one_m, of_length.get("front and rear", 0.0) / sqrt(2))
-    return hypot(one_m / speed_mps, U_LINE_LINES / line_rate_hz)
+    return hypot(one_m / speed_mps, lines / line_rate_hz)
