@@ -44,7 +44,6 @@ from sightline.infra.database.types import metadata
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.store import claim_job, get_job
 from sightline.infra.services import Services, open_services
-from sightline.infra.stored_bytes import put_bytes
 from sightline.measurements.records import MeasurementValues
 from sightline.measurements.store import add_measurement
 from sightline.measurements.tables import measurement_series
@@ -104,8 +103,8 @@ def filled(services: Services) -> Services:
     for number in range(2, 9):
         with services.writing() as session:
             click(session, samples.KEY.format(number), samples.values(one), first.id)
-    put_bytes(services, b"a video" * 1000, ".mp4")
-    put_bytes(services, b"a picture", ".jpg")
+    samples.put_bytes(services, b"a video" * 1000, ".mp4")
+    samples.put_bytes(services, b"a picture", ".jpg")
     signing_key(services.settings)
     return services
 
@@ -211,7 +210,7 @@ def test_the_folder_is_for_its_owner_alone(filled: Services, tmp_path: Path) -> 
 @pytest.mark.once
 def test_only_what_is_new_is_copied(filled: Services, tmp_path: Path) -> None:
     first = backed_up(filled, tmp_path / "backup").manifest
-    put_bytes(filled, b"another picture", ".jpg")
+    samples.put_bytes(filled, b"another picture", ".jpg")
     second = backed_up(filled, tmp_path / "backup")
     assert (second.fresh, len(second.manifest.media)) == (1, 3)
     assert sorted(path.name for path in (tmp_path / "backup" / STATES).iterdir()) == [
@@ -238,7 +237,7 @@ def test_a_stopped_backup_goes_on_and_leaves_the_one_before_whole(
         journal.write('["torn')
     first = backed_up(filled, folder)
     assert (first.fresh, len(first.manifest.media)) == (0, 2)
-    put_bytes(filled, b"later", ".jpg")
+    samples.put_bytes(filled, b"later", ".jpg")
     with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
         patch.setattr(make, "write_manifest", stopped)
         backed_up(filled, folder)
@@ -299,7 +298,7 @@ def test_a_killed_backup_goes_on(filled: Services, tmp_path: Path, new_place: Ne
     is not copied again, and nothing looks whole before it is.
     """
     for number in range(files):
-        put_bytes(filled, bytes([number % 251]) * 20_000 + str(number).encode(), ".jpg")
+        samples.put_bytes(filled, bytes([number % 251]) * 20_000 + str(number).encode(), ".jpg")
     folder, settings = tmp_path / "backup", filled.settings
     asked = ["backup", str(folder), "--data-dir", str(settings.data_dir)]
     addresses = {"SIGHTLINE_DATABASE_URL": settings.database_url, "SIGHTLINE_MEDIA_URL": settings.media_url}
@@ -360,7 +359,7 @@ def test_clicks_are_stored_while_it_runs(
         for number in itertools.count(10_000):
             if stop.is_set():
                 return
-            picture, key = put_bytes(filled, str(number).encode(), ".jpg"), samples.KEY.format(number)
+            picture, key = samples.put_bytes(filled, str(number).encode(), ".jpg"), samples.KEY.format(number)
             with filled.writing(1) as session:
                 click(session, key, values, first)
             acknowledged.append((key, picture))
@@ -554,7 +553,7 @@ def test_the_two_latest_states_are_kept_and_either_is_restored(
     backed_up(filled, folder)
     with pytest.raises(BadInput, match="one backup only"):
         restore_backup(folder, new_place("too soon"), silent, earlier=True)
-    gone = put_bytes(filled, b"soon gone", ".jpg")
+    gone = samples.put_bytes(filled, b"soon gone", ".jpg")
     earlier = backed_up(filled, folder).manifest
     rows = rows_of(filled.settings.database_url)
     filled.media.delete(gone)
@@ -570,7 +569,7 @@ def test_the_two_latest_states_are_kept_and_either_is_restored(
 
 @pytest.mark.once
 def test_old_media_go_only_when_asked(filled: Services, tmp_path: Path) -> None:
-    key = put_bytes(filled, b"soon gone", ".jpg")
+    key = samples.put_bytes(filled, b"soon gone", ".jpg")
     backed_up(filled, tmp_path / "backup")
     filled.media.delete(key)
 

@@ -21,7 +21,6 @@ from sightline.infra.audit.signing import signing_key
 from sightline.infra.backup.manifest import STATES, read_manifest
 from sightline.infra.database.engine import migrate
 from sightline.infra.services import open_services
-from sightline.infra.stored_bytes import put_bytes
 from sightline.infra.web.health import database_trouble
 from sightline.settings import Settings
 from sightline.surveys.store import create_survey
@@ -58,7 +57,7 @@ def with_services(folder: Path) -> None:
     with services.writing() as session:
         samples.measure(session, samples.sample(session))
         create_survey(session, name="Empty", description="", actor=None)
-    put_bytes(services, b"a picture", ".jpg")
+    samples.put_bytes(services, b"a picture", ".jpg")
     signing_key(services.settings)
     services.close()
     settle(folder / "sightline.db")

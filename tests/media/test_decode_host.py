@@ -235,9 +235,10 @@ def test_frames_prepared_ahead_are_ready_and_leave_the_window_alone(
 ) -> None:
     served.still(plain, 10)
     size = served.prepare(plain, 60)
-    assert size == served.prepare(plain, 60) == len(served.still(plain, 60))
     assert 60 not in served._pictures.warm(plain)
     assert (60, 60) in served.ready(plain)
+    # who asks for it may find its neighbours read behind it
+    assert size == served.prepare(plain, 60) == len(served.still(plain, 60))
 
 
 def test_it_ends_with_the_server_and_leaves_no_zombie(plain: RecordingMedia) -> None:

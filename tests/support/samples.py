@@ -1,6 +1,9 @@
 """A small survey, made through the public write functions only."""
 
 from dataclasses import dataclass, replace
+from hashlib import sha256
+from pathlib import Path
+from tempfile import NamedTemporaryFile
 from typing import Any
 
 import numpy as np
@@ -15,12 +18,14 @@ from sightline.enums import Role, Target
 from sightline.infra.audit import trail
 from sightline.infra.database.engine import SessionFactory, writing
 from sightline.infra.database.types import now
+from sightline.infra.services import Services
 from sightline.infra.web.person import Person
 from sightline.measurements.records import Measurement, MeasurementValues
 from sightline.measurements.store import add_measurement
 from sightline.measurements.tables import measurement_series
 from sightline.measurements.tables import measurements as revision_rows
 from sightline.measurements.tables import reviews as review_rows
+from sightline.media.store.local import key_of
 from sightline.messages.said import Said
 from sightline.people.store import create_person
 from sightline.poses.records import Pose
@@ -44,6 +49,16 @@ from sightline.vehicles.store import create_vehicle
 from sightline.vehicles.tables import vehicles as vehicle_rows
 
 KEY = "00000000-0000-4000-8000-{:012d}"
+
+
+def put_bytes(services: Services, content: bytes, suffix: str) -> str:
+    """Bytes in the media store that no row names; their key."""
+    key = key_of(sha256(content).hexdigest(), suffix)
+    with NamedTemporaryFile(dir=services.scratch) as file:
+        file.write(content)
+        file.flush()
+        services.media.put_file(key, Path(file.name))
+    return key
 
 
 def frame_table(count: int = 100) -> FrameTable:

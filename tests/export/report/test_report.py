@@ -217,7 +217,7 @@ def test_what_is_missing_is_said(example: ReportFacts) -> None:
 @pytest.mark.parametrize(
     ("n", "eye"),
     [
-        (8, "P50 1.216 1.112 to 1.253"),
+        (8, "P50 1.216 1.113 to 1.253"),
         (4, "P50 – – –"),
     ],
 )
