@@ -35,6 +35,7 @@ from sightline.statistics.wording import interval_contents
 
 _SHAPE = 0.1  # of a correction for random error: what a density of another shape may change it by (k = 1)
 _WIDEST, _IN_WINDOW = 0.5, 2.0  # scores, heights of a site about a percentile, by which sites are compared
+_INSIDE = (1e-15, 1.0 - 1e-15)  # ranks that have a score
 _WINDOW = 0.10  # of all heights, on either side of a percentile: those that say which groups it rests on
 _LEAST_IN_WINDOW = 25
 _LARGEST = 30.0  # of the logarithm of a variance's ratio, beyond which numbers end
@@ -167,7 +168,7 @@ class TotalUncertainty:
     @cached_property
     def _middle(self) -> Floats:
         """The share below the middle of each height's own, (N,)."""
-        return np.cumsum(self._share) - 0.5 * self._share
+        return np.clip(np.cumsum(self._share) - 0.5 * self._share, *_INSIDE)
 
     @cached_property
     def _smooth_parts(self) -> tuple[Floats, Ints, Floats]:
@@ -177,7 +178,7 @@ class TotalUncertainty:
         first = np.concatenate([[True], np.diff(self._height_m) > 0.0])
         group = np.cumsum(first) - 1
         share = np.bincount(group, self._share)
-        score = scipy.special.ndtri(np.cumsum(share) - 0.5 * share)
+        score = scipy.special.ndtri(np.clip(np.cumsum(share) - 0.5 * share, *_INSIDE))
         nodes, node = _nodes(np.asarray(score[group], dtype=np.float64))
         return nodes, node, np.bincount(node, self._share, len(nodes)).astype(np.float64)
 
@@ -290,8 +291,13 @@ class TotalUncertainty:
         of_correction = self._density.correction_influence_m(p, self._least_density(p, self._density))[
             self._cell
         ]
-        smooth = self._smooth_influence(p, slope) + of_correction
-        sampled = self._drawn.sampled(own + of_correction, smooth)
+        sampled = max(
+            (
+                self._drawn.sampled(own + of_correction, smooth + of_correction)
+                for smooth in self._smooth_influences(p, slope)
+            ),
+            key=lambda one: one.variance,
+        )
         plain_m2 = p * (1.0 - p) / slope**2
         correction = self._correction_m(p, self._density)
         u_m2 = self._unseen(sampled, self._near(p)) + (_SHAPE * correction) ** 2
@@ -307,7 +313,9 @@ class TotalUncertainty:
         move the sites by moves heights as it is.
 
         Without sites the scores are those of order statistics, as much wider as the design makes them; with
-        them they are Student's, as much longer on one side as those of order statistics are.
+        them they are Student's, as much longer on one side as those of order statistics are. What few sites
+        have says nothing of heights that none of them has: the error as it is, in metres, counts where it
+        goes further.
         """
         n, ranked, place = self._n, self._order_scores(p), self._score_of(p)
         per_score = _height_per_score(p, slope)
@@ -321,8 +329,9 @@ class TotalUncertainty:
         deviate = deviate * np.sqrt(by_design.within * longer**2 + 1.0 - by_design.within)
         of_shift = by_design.shift
         moved = of_shift * deviate - np.sqrt(of_shift * (1.0 - of_shift)) * other
-        ranked = self._height_at(place + (deviate - moved) / per_score, per_score)
-        return np.asarray(ranked + moved, dtype=np.float64)
+        ranked = np.sort(self._height_at(place + (deviate - moved) / per_score, per_score) + moved)
+        linear, below = self._percentile_m(p) + deviate, deviate < 0.0
+        return np.where(below, np.minimum(ranked, linear), np.maximum(ranked, linear))
 
     def named_effects_m(self, percent: float) -> dict[int, float]:
         """What one standard uncertainty of each error that other samples know (a road pose's) moves a
@@ -346,9 +355,11 @@ class TotalUncertainty:
         if self._density is None or not self._supported(percent):
             return None
         slope = self._slope(p, self._density)
-        smooth = self._smooth_influence(p, slope)
         sampling = float(np.sqrt(p * (1.0 - p))) / slope
-        found = self._drawn.sampled(smooth, smooth)
+        found, smooth = max(
+            ((self._drawn.sampled(one, one), one) for one in self._smooth_influences(p, slope)),
+            key=lambda pair: pair[0].variance,
+        )
         return Components(sampling, self._drawn.between(smooth), float(np.sqrt(found.unseen)))
 
     def mean(self) -> TotalFigure:
@@ -502,20 +513,24 @@ class TotalUncertainty:
         low, high = np.interp([p - half, p + half], self._middle, self._height_m)
         return half / max(float(high - low), 2.5 * half * density.spread_m)
 
-    def _smooth_influence(self, p: float, slope: float) -> Floats:
-        """Influence (N,) of each height, metres, on percentile p of smoothed scores, whose density is known.
+    def _smooth_influences(self, p: float, slope: float) -> list[Floats]:
+        """Influences (N,) of each height, metres, on percentile p of smoothed scores, whose density is known:
+        by a narrow window and by a wide one.
 
-        Own choice of the width: as wide as `_IN_WINDOW` heights of a site lie, so that sites do not tie, and
-        no wider, so that a difference between two kinds of vehicles is not smoothed away.
+        Own choice of the widths: the narrow one has `_IN_WINDOW` heights of a site, so that sites do not tie
+        and a difference between two kinds of vehicles is not smoothed away; the wide one sees sites whose
+        heights lie beside the percentile altogether. What shows more difference counts.
         """
         nodes, node, share = self._smooth_parts
         place = float(scipy.special.ndtri(p))
         per_score = self._n / np.count_nonzero(np.bincount(self._site)) * _normal_density(place)
-        width = min(_WIDEST, _IN_WINDOW / per_score)
-        below = scipy.special.ndtr((place - nodes) / width)
-        wide = float(np.hypot(1.0, width))
-        away = (float(np.sum(share * below)) - below) * wide / _normal_density(place / wide)
-        return np.asarray((away * _height_per_score(p, slope))[node], dtype=np.float64)
+        found = []
+        for width in {_WIDEST, min(_WIDEST, _IN_WINDOW / per_score)}:
+            below = scipy.special.ndtr((place - nodes) / width)
+            wide = float(np.hypot(1.0, width))
+            away = (float(np.sum(share * below)) - below) * wide / _normal_density(place / wide)
+            found.append(np.asarray((away * _height_per_score(p, slope))[node], dtype=np.float64))
+        return found
 
     def _near(self, p: float) -> Ints:
         """Rows whose ranks lie about p."""
