@@ -310,6 +310,28 @@ def test_intervals_hold_a_percentile_that_lies_in_a_gap(runs: int) -> None:
     assert np.mean(held) >= 0.95 - 3.0 * np.sqrt(0.05 * 0.95 / runs)
 
 
+def test_sites_that_differ_by_more_than_their_vehicles_leave_a_percentile_uncertain() -> None:
+    """The highest heights come of one site alone: its own say little of what other sites might have."""
+    site = np.repeat(np.arange(3), 200)
+    within_m = np.random.default_rng(9522).normal(0.0, 0.004, 600)
+    height_m = np.round(np.array([1.4, 1.5, 1.6])[site] + within_m, 2)
+    found = TotalUncertainty(HeightSample(height_m, np.zeros(600), (), site)).percentile(95.0)
+    assert found.U95_low is not None and found.value is not None and found.U95_high is not None
+    assert found.U95_low < 1.55 and found.value == pytest.approx(1.6, abs=0.01) and found.U95_high > 1.65
+
+
+def test_heights_that_weigh_nothing_leave_an_interval_of_numbers() -> None:
+    for seed in range(20):
+        rng = np.random.default_rng([9523, seed])
+        height_m = np.sort(rng.normal(1.5, 0.07, 60))
+        weight = np.where(np.arange(60) < 58, rng.uniform(0.5, 2.0, 60), 0.0)
+        design = Design(weight, np.zeros(60, np.int64), np.arange(60) % 4, np.array([np.inf]))
+        sample = HeightSample(height_m, np.zeros(60), (), np.arange(60) % 4)
+        found = TotalUncertainty(sample, design).percentile(50.0)
+        assert found.U95_low is not None and found.U95_high is not None
+        assert 1.3 < found.U95_low < found.U95_high < 1.7
+
+
 def test_the_same_design_said_as_weights_gives_the_same_digits() -> None:
     heights = sample(300, 3, sites=6, shared_m=0.01, random_m=0.015)
     assert heights.site is not None
