@@ -92,9 +92,7 @@ class Digests:
     def __init__(self, table: AnyTable, header: Collection[str]) -> None:
         self._path = table.key
         both = {one.name for one in table.columns} & set(header)
-        self._columns = [
-            one for one in table.columns if one.name in both and f"{one.name}{CODE}" not in both
-        ]
+        self._columns = [one for one in table.columns if one.name in both and f"{one.name}{CODE}" not in both]
         self._told: dict[tuple[int, ...], bytes] = {}
 
     def __contains__(self, key: object) -> bool:
