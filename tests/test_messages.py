@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from datetime import date, datetime
 from functools import cache
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import pytest
 from fluent.syntax import FluentParser
@@ -22,7 +22,7 @@ from sightline.export.page import tables_of_page
 from sightline.geometry.insets import USUAL_INSETS
 from sightline.infra.web.error_handlers import _complaint
 from sightline.measurements.again.csv import COMPUTINGS
-from sightline.messages.recognised import COLUMNS, TOLD, translate_text, translated_meaning
+from sightline.messages.recognised import COLUMNS, IN_UTC, TOLD, translate_text, translated_meaning
 from sightline.messages.said import Said
 from sightline.results.usual_standards import STANDARDS
 from sightline.statistics.standards import Standard
@@ -507,7 +507,8 @@ def test_what_is_told_in_english_is_said_by_its_text() -> None:
 
 
 def test_every_column_that_a_package_s_page_explains_is_explained_in_every_language() -> None:
-    meanings = {one.meaning for table in tables_of_page(tables_of(12)) for one in table.columns}
+    shown = [one for table in tables_of_page(tables_of(12)) for one in table.columns]
+    meanings = {one.meaning.removesuffix(IN_UTC) for one in shown}
     lines = SOURCE.read_text("utf-8").splitlines()
     known = [one.split(" = ", 1)[1] for one in lines if one.startswith(COLUMNS)]
     patterns = [r"\d+".join(map(re.escape, re.split(r"\{ \$\w+ \}", one))) for one in known]
@@ -518,16 +519,25 @@ def test_every_column_that_a_package_s_page_explains_is_explained_in_every_langu
     assert {one for one, said in told.items() if one == said} <= same
     columns = [one for table in tables_of(12) for one in table.columns]
     assert [one.name for one in columns if not one.meaning or one.meaning.startswith(COLUMNS)] == []
+    at = "when it was reviewed (ISO 8601, UTC)"
+    assert {one.meaning for one in shown if one.name == "reviewed_at"} == {at}
+    assert translated_meaning(at, "fr") == "quand la vérification a eu lieu (ISO 8601, UTC)"
     frame = "the same tyre contact on frame 11 of the measurement, x"
     assert told[frame] == "le même contact du pneu sur l’image 11 de la mesure, x"
     assert translate_text("group", "fr") == "group"  # which somebody may have typed
 
 
-def test_the_api_says_of_a_field_what_the_package_says_of_its_column() -> None:
-    described = describe()["components"]["schemas"]
-    vehicle, computing = (described[name]["properties"] for name in ("VehicleBody", "Computing"))
+@pytest.fixture(scope="module")
+def description() -> dict[str, Any]:
+    """The schemas of the API; made once: it takes seconds."""
+    schemas: dict[str, Any] = describe()["components"]["schemas"]
+    return schemas
+
+
+def test_the_api_says_of_a_field_what_the_package_says_of_its_column(description: dict[str, Any]) -> None:
+    vehicle, computing = (description[name]["properties"] for name in ("VehicleBody", "Computing"))
     assert vehicle["roof_not_visible"]["description"] == (
-        "Why the roof cannot be measured of this vehicle; null where it can."
+        "Why the roof cannot be measured of this vehicle; none where it can."
     )
     assert vehicle["model_chosen_by"]["description"].startswith("size: ")
     meanings = {one.name: one.meaning for one in COMPUTINGS.columns}
@@ -535,6 +545,33 @@ def test_the_api_says_of_a_field_what_the_package_says_of_its_column() -> None:
     assert (
         computing["kept"]["description"] == "Of an undo: how many were changed since, and stay as they are."
     )
+
+
+@pytest.mark.parametrize(
+    ("schema", "field", "said"),
+    [
+        ("VehicleBody", "in_sample", "Whether the survey's rule takes it into the sample."),
+        ("VehicleBody", "counts", "unless the survey counts others too."),
+        ("VehicleBody", "check_target", "counts in no distribution, quota or response."),
+        (
+            "MeasurementBody",
+            "made",
+            "snapped: the contact went from a click to the tyre found there, the target",
+        ),
+        ("MeasurementBody", "inset_m", "Inset: distance from the vertical plane"),
+        ("MeasurementBody", "created_at", "When the revision was stored."),
+        ("ScanMotionBody", "tyres_px", "none where it was not looked for."),
+        ("ScanMotionBody", "lane", "or the rig has none."),
+    ],
+)
+def test_the_api_speaks_of_its_answers_and_the_package_of_its_tables(
+    description: dict[str, Any], schema: str, field: str, said: str
+) -> None:
+    """A field with both meanings has the catalogue's in the package, and its own in the API."""
+    assert said in description[schema]["properties"][field]["description"]
+    meanings = {f"{table.name} {one.name}": one.meaning for table in tables_of(2) for one in table.columns}
+    assert meanings["vehicles in_sample"] == "whether the rule of sampling.csv selects it"
+    assert meanings["measurements made"].startswith("how the points on `frame` were set")
 
 
 def test_no_french_sign_begins_a_line() -> None:

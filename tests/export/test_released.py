@@ -281,6 +281,21 @@ def test_later_tables_and_columns_break_no_package(
     assert found.not_checked == ["description"] and found.drawings > 0
 
 
+def test_a_column_put_into_the_budget_is_refused(package: Path, later: Callable[..., None]) -> None:
+    """By every version: no event says it."""
+    rewrite(package, "budget.csv", [{**row, "u_mm": "0.1"} for row in rows(package, "budget.csv")])
+    place = package / "datapackage.json"
+    told = json.loads(place.read_text())
+    (budget,) = (one for one in told["resources"] if one["path"] == "tables/budget.csv")
+    budget["schema"]["fields"].append({"name": "u_mm", "type": "number", "description": "put in"})
+    place.write_bytes(json_bytes(told))
+    reseal(package)
+    for version in ("this", "another"):
+        found = str(check(package).problem)
+        assert found.startswith("budget.csv: the contributions to 1 differ"), (version, found)
+        later()
+
+
 def test_a_program_knows_its_own_parts(package: Path, later: Callable[..., None]) -> None:
     """Nobody escapes a comparison by naming another source for the version that checks."""
     place = package / "datapackage.json"

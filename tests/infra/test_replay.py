@@ -2,6 +2,7 @@
 
 import io
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -107,6 +108,18 @@ def test_a_million_rows_are_held_by_their_digests() -> None:
             digests().hold((1, 1), {**CELLS, name: "another"})
     assert not digests().are_told((1, 1), CELLS, CELLS) and not digests().are_told((1, 1))
     digests(header=("id",)).hold((1, 1), {"id": "1", "name": "what the package does not have"})
+
+
+def test_only_words_whose_codes_the_table_has_are_left_out() -> None:
+    """A column of codes that somebody puts into a package frees no other column."""
+    digests(header=(*CELLS, "name_code")).hold((1, 1), CELLS)
+    with pytest.raises(Damaged, match="row 1 1 differs"):
+        digests(header=(*CELLS, "name_code")).hold((1, 1), {**CELLS, "name": "another", "name_code": ""})
+    table = replace(CARS, columns=(*CARS.columns, text("name_code", "its name by code")))
+    for header, is_held in ((("id", "name", "name_code"), False), (("id", "name"), True)):
+        told = Digests(table, header)
+        told.tell((1,), SimpleNamespace(**CAR, name_code="[]"))
+        assert told.are_told((1,), {"id": "1", "name": "another", "name_code": "[]"}) != is_held
 
 
 def event(number: int, entity: str, entity_id: int, actor: str = "7") -> dict[str, str]:

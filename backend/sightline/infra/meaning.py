@@ -1,10 +1,10 @@
 """What a field of a record means, told once: the API's description of it, and its column in a package.
 
 It stands at the field (`Field(description=...)`), or, where a package's page explains the column in several
-languages, in the catalogue, under the name of the record's table (`explained_as`).
+languages, in the catalogue, under the name of the record's table (`explained_as`). A field has both where
+the answer is another thing than the package: then the API says the field's.
 """
 
-import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from types import NoneType
@@ -19,8 +19,6 @@ from sightline.infra.audit.records import Who
 from sightline.messages import SOURCE, say_or
 
 R = TypeVar("R")
-_ONLY_IN_CELLS = re.compile(r", separated by semicolons| \(ISO 8601, UTC\)")
-_VALUE = re.compile(r"\w+:")  # which begins a list of what the field's words mean
 
 
 @dataclass(frozen=True)
@@ -34,9 +32,8 @@ class Meaning:
     ) -> JsonSchemaValue:
         """The field's schema with its description."""
         schema = handler(core)
-        said = re.sub(r"\bempty\b", "null", _ONLY_IN_CELLS.sub("", say_or(self.key, "", SOURCE)))
-        first = said[:1] if _VALUE.match(said) else said[:1].upper()
-        return {"description": f"{first}{said[1:]}.", **schema} if said else schema
+        said = say_or(self.key, "", SOURCE)
+        return {"description": f"{said[:1].upper()}{said[1:]}.", **schema} if said else schema
 
 
 def explained_as(table: str) -> Callable[[type[R]], type[R]]:
@@ -73,13 +70,13 @@ def _read_hint(hint: Any) -> Told:
     plain, *said = get_args(hint) if get_origin(hint) is Annotated else (hint,)
     some = [one for one in get_args(plain) if one is not NoneType]
     optional = NoneType in get_args(plain)
+    keys = [one.key for one in said if isinstance(one, Meaning) and say_or(one.key, "", SOURCE)]
     described = [one.description for one in said if isinstance(one, FieldInfo) and one.description]
-    keys = [one.key for one in said if isinstance(one, Meaning)]
-    says = (*map(_as_column, described), *keys, "")[0]
+    says = (*keys, *map(_as_column, described), "")[0]
     return Told(kind=some[0] if optional else plain, optional=optional, says=says)
 
 
 def _as_column(description: str) -> str:
-    """A description as a column says it: no sentence, and a cell that is empty."""
-    words = re.sub(r"\bnull\b", "empty", description.removesuffix("."))
+    """A description as a column says it: no sentence."""
+    words = description.removesuffix(".")
     return words[0].lower() + words[1:] if words[1:2].islower() or words[1:2] == " " else words

@@ -152,7 +152,7 @@ class FoundHeight:
     side: DriverSide | None
     distance_m: float | None
     budget: list[BudgetPart]
-    flags: list[Said]
+    flags: Annotated[list[Said], Field(description="Warnings on this height.")]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -233,7 +233,15 @@ class MeasurementValues(HeightOfClicks, Origin, ClickedFrames):
     contact: Point
     target_point: Point
     sigma_px: float
-    made: Made = field()
+    made: Annotated[
+        Made,
+        Field(
+            description="Of the first frame's points. clicked: by hand, the contact perhaps a proposed one "
+            "where no target was proposed; snapped: the contact went from a click to the tyre found there, "
+            "the target by hand; confirmed: both as proposed; moved: begun from proposed or found points, at "
+            "least one of the two put by a person."
+        ),
+    ] = field()
     pose_id: int
     calibration_id: int
     code_version: str

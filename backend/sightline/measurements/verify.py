@@ -180,6 +180,7 @@ def check_measurements(
     budgets = _Along(files, BUDGET.key, "measurement_id")
     clicks = {CLICKS.key: _Along(files, CLICKS.key, "id")}
     filmings, vehicles = filmings_in(files), _OfVehicles(files)
+    untold = set(events.headers.get(BUDGET.key, ())) - set(BUDGET.header)  # columns that no event says
     for current in read_rows(files, "measurements.csv"):
         name = current["id"]
         rows = revisions.of(name)
@@ -200,7 +201,7 @@ def check_measurements(
         _is_filmed(current, filmings.get(current["recording_id"]))
         contributions = budgets.of(name)
         _is_sum(current, contributions)
-        if not events.budgets.are_told((int(name),), *contributions):
+        if not events.budgets.are_told((int(name),), *contributions) or (untold and contributions):
             raise Damaged("measurements-budget-differs", id=name)
         if current["withdrawn"] != "true":
             path = clicks_path(int(current["pose_id"]))

@@ -15,6 +15,8 @@ from sightline import messages
 TOLD = "told-"
 #: Meanings of the columns that a package's page explains, some with a number.
 COLUMNS = "column-"
+#: How cells write times, which columns of times say behind what they mean.
+IN_UTC = " (ISO 8601, UTC)"
 _VALUE = re.compile(r"\{ \$(\w+) \}")
 
 
@@ -27,9 +29,10 @@ def translate_text(text: str, language: str) -> str:
 @lru_cache(maxsize=4096)
 def translated_meaning(meaning: str, language: str) -> str:
     """What a column means, in a language; as it is where no page explains that column."""
+    words = meaning.removesuffix(IN_UTC)
     for pattern, key in _meanings().items() if language != messages.SOURCE else ():
-        if found := pattern.fullmatch(meaning):
-            return messages.say(key, found.groupdict(), language)
+        if found := pattern.fullmatch(words):
+            return messages.say(key, found.groupdict(), language) + meaning[len(words) :]
     return meaning
 
 

@@ -11,6 +11,7 @@ from sightline.infra.csv_package.columns import (
     columns_for,
     columns_within,
     flag,
+    instant,
     integer,
     metres,
     number,
@@ -75,11 +76,11 @@ def _cell_of(document: Mapping[str, object] | None, name: str) -> Cell:
 
 
 def _time(of: Callable[[Drift], Cell]) -> Callable[[Drift], Cell]:
-    def stamped(drift: Drift) -> Cell:
+    def cell(drift: Drift) -> Cell:
         at = of(drift)
         return stamp(at) if isinstance(at, str) else None
 
-    return stamped
+    return cell
 
 
 _DRIFT: tuple[Column[Drift], ...] = (
@@ -88,22 +89,12 @@ _DRIFT: tuple[Column[Drift], ...] = (
     number("drift_moved_px", "largest motion found, where it moved", "px", _found_getter("moved_px")),
     metres("drift_height_m", "column-recordings-drift-height-m", _found_getter("height_m")),
     metres("drift_distance_m", "column-recordings-drift-distance-m", _found_getter("distance_m")),
-    Column(
-        "drift_checked_at",
-        "datetime",
-        "column-recordings-drift-checked-at",
-        of=_time(_found_getter("checked_at")),
-    ),
+    instant("drift_checked_at", "when this was checked", _time(_found_getter("checked_at"))),
     text(
         "drift_decision", "reason for keeping the pose although the camera moved", _decision_getter("reason")
     ),
     integer("drift_decided_by_id", "who decided that", _decision_getter("by_id")),
-    Column(
-        "drift_decided_at",
-        "datetime",
-        "when that was decided (ISO 8601, UTC)",
-        of=_time(_decision_getter("at")),
-    ),
+    instant("drift_decided_at", "when that was decided", _time(_decision_getter("at"))),
 )
 
 

@@ -240,11 +240,16 @@ class FoundMotion:
         list[float] | None, Field(description="Of strip 1, at each wheel's hub; null: not looked for.")
     ]
     axles_by: AxlesBy | None
-    lane: Annotated[str | None, Field(description="Of the rig's lanes; null: not known, or it has none.")]
+    lane: Annotated[
+        str | None, Field(description="Of the rig's lanes; none where it is not known, or the rig has none.")
+    ]
     lane_by: LaneBy | None
     tyres_px: Annotated[
         float | None,
-        Field(description="Row of strip 1 at which its tyres meet the road, if the lane was assigned by it."),
+        Field(
+            description="Row of strip 1 at which its tyres meet the road, if the lane was assigned by it; "
+            "none where it was not looked for."
+        ),
     ]
     status: MeasurementStatus
     reason: Said | None

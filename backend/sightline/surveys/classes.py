@@ -24,7 +24,8 @@ class VehicleClass:
 
     category: Category
     class_set: Annotated[
-        ClassSet | None, Field(description="The set of classes that it counts in; null: in none.")
+        ClassSet | None,
+        Field(description="The set of classes that it counts in; none where it counts in no set."),
     ]
     eu: Annotated[tuple[EuClass, ...], Field(description="Its classes in the EU.")] = ()
     fhwa: Annotated[tuple[int, ...], Field(description="Its classes among FHWA's 13.")] = ()

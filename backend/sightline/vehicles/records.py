@@ -79,7 +79,13 @@ class VehicleFields:
     make: str | None
     model: str | None
     year: int | None
-    model_chosen_by: ModelChosenBy | None
+    model_chosen_by: Annotated[
+        ModelChosenBy | None,
+        Field(
+            description="size: the model was taken because it fits what was measured, so no height known of "
+            "it is a reference; seen: then it was recognised on the vehicle; null: neither."
+        ),
+    ]
     model_sizes: str | None
     category: Category | None
     manufacturer_height_m: float | None
@@ -97,7 +103,13 @@ class VehicleFields:
     known_other_m: float | None
     u_known_other_m: float | None
     known_other_source: str | None
-    check_target: bool
+    check_target: Annotated[
+        bool,
+        Field(
+            description="A staff with marks, or a car with taped heights, to check the measuring: it has its "
+            "own row among the errors and counts in no distribution, quota or response."
+        ),
+    ]
     lighting: Lighting | None
     notes: str
     origin: VehicleOrigin
@@ -130,8 +142,14 @@ class Vehicle(VehicleFields):
         tuple[AskedTarget, ...], Field(description="What the survey asks for of it, by its lighting.")
     ]
 
-    in_sample: bool
-    counts: bool
+    in_sample: Annotated[bool, Field(description="Whether the survey's rule takes it into the sample.")]
+    counts: Annotated[
+        bool,
+        Field(
+            description="Whether its heights count in results: no check target, and in the sample, unless "
+            "the survey counts others too."
+        ),
+    ]
     first_s: float | None
     filmed_at: str | None
 

@@ -17,7 +17,8 @@ from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.files import Files, read_columns, undo_safe_text
 from sightline.infra.csv_package.schema import CODE, Cell, Column, Row, utc_text
 from sightline.infra.meaning import Told, read_fields
-from sightline.messages import SOURCE
+from sightline.messages import SOURCE, say_or
+from sightline.messages.recognised import IN_UTC
 from sightline.messages.said import Said
 
 R = TypeVar("R", default=Row)
@@ -59,7 +60,7 @@ def _columns_for(
     if field.kind is Who:
         return (person(name, field.says),)
     if field.kind is datetime:
-        return (replace(moment(name, field.says), says=field.says),)
+        return (moment(name, field.says),)
     if Said in (field.kind, *get_args(field.kind)):
         return said_columns(name, field.says)
     words = get_args(field.kind)
@@ -131,7 +132,12 @@ def flag(name: str, meaning: str, of: Getter[R] | None = None, *, required: bool
 def moment(name: str, meaning: str, of: Callable[[R], datetime | None] | None = None) -> Column[R]:
     """A time in UTC, to the microsecond."""
     given = of or attrgetter(name)
-    return Column(name, "datetime", f"{meaning} (ISO 8601, UTC)", of=lambda record: utc_text(given(record)))
+    return instant(name, meaning, lambda record: utc_text(given(record)))
+
+
+def instant(name: str, meaning: str, of: Getter[R]) -> Column[R]:
+    """A time in UTC that the record has as its cell."""
+    return Column(name, "datetime", say_or(meaning, meaning, SOURCE) + IN_UTC, of=of)
 
 
 def person(name: str, meaning: str, of: Callable[[R], Who | None] | None = None) -> Column[R]:

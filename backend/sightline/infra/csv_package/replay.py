@@ -85,15 +85,14 @@ class Digests:
     """What events say of the rows of a table of which a package may have a million: a digest of each, by its
     key, which begins with the entity's number.
 
-    `header`: the columns that the package has. Words whose codes stand beside them are not compared: an event
-    holds the codes, and later versions word them otherwise.
+    `header`: the columns that the package has. Words whose codes stand beside them, in the package and in
+    `table`, are not compared: an event holds the codes, and later versions word them otherwise.
     """
 
     def __init__(self, table: AnyTable, header: Collection[str]) -> None:
         self._path = table.key
-        self._columns = [
-            one for one in table.columns if one.name in header and f"{one.name}{CODE}" not in header
-        ]
+        both = {one.name for one in table.columns} & set(header)
+        self._columns = [one for one in table.columns if one.name in both and f"{one.name}{CODE}" not in both]
         self._told: dict[tuple[int, ...], bytes] = {}
 
     def __contains__(self, key: object) -> bool:
