@@ -335,9 +335,36 @@ def test_counts_of_five_digits_stand_apart_by_a_narrow_space(language: str) -> N
     assert re.findall("[0-9]+", few) == ["1234", "9999"]
     # a frame is no count
     assert "12345" in messages.say("video-frame-changed", {"n": 12345}, language)
+    assert "12345" in messages.say("video-frame-outside", {"n": 20000, "last": 12345}, language)
+    ended = {"chain": "survey/1", "number": 12345}
+    assert "12345" in messages.say("audit-chain-ends-elsewhere", ended, language)
     gap = messages.say("stream-clock-set", {"jump_s": 12345.5, "lines": 10000}, language)
     assert re.search("12\u202f345[.,]5 ", gap) and " 10000" in gap
     assert (messages.write_count(9999), messages.write_count(10000)) == ("9999", "10\u202f000")
+
+
+@pytest.mark.parametrize("language", messages.languages())
+@pytest.mark.parametrize(
+    ("key", "counts"),
+    [
+        ("stat-percentile-needs-alike", "needed count like"),
+        ("height-pass-most-excluded", "dropped points"),
+        ("strips-frames-changed", "count count_2"),
+        ("vehicles-frames-changed", "count count_2"),
+        ("video-other-count", "claimed count"),
+        ("video-truncated", "missing count"),
+        ("scan-vehicles-found", "found added revised"),
+        ("passes-were-found-again", "found new known"),
+        ("scan-run-swapped", "reversed found"),
+        ("report-accepted-count", "n all"),
+        ("report-concluded-of", "measurements vehicles"),
+        ("report-joined-of", "surveys sites heights vehicles"),
+    ],
+)
+def test_counts_beside_each_other_are_written_alike(key: str, counts: str, language: str) -> None:
+    counted = dict.fromkeys(counts.split(), 12345)
+    told = messages.say(key, {"percent": 10, "name": "a", "span_s": 1.0, **counted}, language)
+    assert told.count("12\u202f345") == len(counted) and "12345" not in told
 
 
 @pytest.mark.parametrize(

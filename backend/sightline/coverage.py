@@ -1,5 +1,5 @@
 """From standard uncertainties (k = 1) to 95 % intervals: the one factor that every U95 is made with; and what
-part of an assumed inset's error stays, however many heights assume it.
+part of an assumed inset's error stays, however many heights assume it; and how likely a chi-square is.
 """
 
 from typing import overload
@@ -36,3 +36,12 @@ def expanded(u: float | None) -> float | None:
     0.0196
     """
     return None if u is None else COVERAGE_95 * u
+
+
+def chance_of_larger(chi2: float, freedom: int) -> float:
+    """The chance of a chi-square above `chi2` with `freedom` degrees; NaN without one, where nothing
+    is left over that could disagree (`chdtrc` says 0).
+    """
+    from scipy.special import chdtrc  # who only expands needs no SciPy
+
+    return float(chdtrc(freedom, chi2)) if freedom > 0 else float("nan")

@@ -128,15 +128,25 @@ def test_an_image_removed_while_its_twin_is_added_leaves_the_file(
     assert operator.http.get(second["url"]).status_code == 200
 
 
+@pytest.mark.parametrize("lost", ["put_file", "exists"])
 def test_an_image_is_stored_only_where_the_store_says_that_its_file_is_there(
-    operator: Client, camera_id: int, services: Services, work: Work, monkeypatch: pytest.MonkeyPatch
+    operator: Client,
+    camera_id: int,
+    services: Services,
+    work: Work,
+    monkeypatch: pytest.MonkeyPatch,
+    lost: str,
 ) -> None:
-    def away(store: LocalStore, key: str) -> bool:
+    """The store does what it is asked, and the answer is lost."""
+    done = getattr(LocalStore, lost)
+
+    def away(store: LocalStore, key: str, *given: object, **more: object) -> bool:
+        done(store, key, *given, **more)
         raise Away("store-no-answer", key=key, name="Timeout")
 
     content = picture_bytes(view(POSES[0]))
     with monkeypatch.context() as outage:
-        outage.setattr(LocalStore, "exists", away)
+        outage.setattr(LocalStore, lost, away)
         answer = drop(operator, camera_id, content)
     assert answer.status_code == 503 and "did not answer" in error_of(answer)
     assert operator.seen(f"/cameras/{camera_id}")["images"] == []

@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 import pytest
 
-from sightline.cameras.camera_files import calibration_views
+from sightline.cameras.camera_files import calibration_views, pose_detections
 from sightline.cli import main
 from sightline.commands.clicks import Assumed, assumed_inset
 from sightline.commands.pose import expected_lines
@@ -431,6 +431,19 @@ def test_a_picture_given_twice_to_pose_counts_once(camera_file, still, tmp_path,
     assert twice["frames_used"] == once["frames_used"] == 1 and twice["covariance"] == once["covariance"]
     same = f"is the same image as {still.name}; it counts once."
     assert twice["warnings"] == [f"{still.name} {same}", f"{copy.name} {same}", *once["warnings"]]
+
+
+def test_frames_of_a_clip_that_were_given_before_are_counted_and_the_rest_is_used(tmp_path) -> None:
+    seen = [picture(SCENE, 6, 4, 0.1, 1.5, samples=2, seed=n) for n in range(2)]
+    clip, longer = tmp_path / "a.mp4", tmp_path / "b.mp4"
+    tracks(clip, seen[:1])
+    tracks(longer, seen)
+    found, _, said = pose_detections((clip, longer, clip), camera_of(Lens()), Board(6, 4, 0.1))
+    assert [str(one) for one in said] == [
+        "1 frame of b.mp4 was given before; it counts once.",
+        "1 frame of a.mp4 was given before; it counts once.",
+    ]
+    assert len(found) == 2
 
 
 def test_pose_refusals(camera_file, still, tmp_path, capsys) -> None:

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.stats import kstest
+from scipy.stats import chi2, kstest
 
-from sightline.coverage import COVERAGE_95
+from sightline.coverage import COVERAGE_95, chance_of_larger
 from sightline.geometry.followed_tracks import EXACT_PX, Following, Tracks, u_of_rounded_times
 from sightline.geometry.height import shared_covariance
 from sightline.geometry.multiframe import measure_frames
@@ -32,6 +32,12 @@ def tracks_of(scene, car, sigma=0.4, row_time=0.0, points=(0, 1, 2), noise=None,
     if noise is not None:
         pixels = pixels + noise(frame, point)
     return Tracks(frame, t + 7.0, point, pixels, np.full(len(frame), sigma))
+
+
+def test_what_has_no_freedom_left_contradicts_nothing() -> None:
+    assert np.isnan(chance_of_larger(0.1, 0)) and np.isnan(chance_of_larger(0.1, -1))
+    for value, freedom in ((0.0, 1), (3.84, 1), (40.0, 12), (900.0, 250)):
+        assert chance_of_larger(value, freedom) == pytest.approx(chi2.sf(value, freedom), rel=1e-12)
 
 
 @pytest.mark.parametrize("lens", LENSES)

@@ -7,9 +7,11 @@ from typing import Any
 
 import pytest
 from PIL import Image
+from sqlalchemy.exc import ProgrammingError
 
 from sightline.errors import NoRoom
 from sightline.export.verify.package import verify_package
+from sightline.infra import stored_bytes
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.csv_package.schema import sha256_hex
 from sightline.infra.jobs.records import Job
@@ -117,6 +119,22 @@ def test_a_file_that_is_gone_is_named(
         path.unlink()
     answer = operator.get(made["url"].removeprefix("/api"))
     assert answer.status_code >= 400 and "“rig.jpg” is missing" in error_of(answer)
+
+
+def test_what_a_request_met_is_said_where_its_file_cannot_be_let_go_either(
+    operator: Client, survey_id: int, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    def full(*_given: object, **_more: object) -> None:
+        raise NoRoom("database-disk-full")
+
+    def broken(*_given: object) -> None:
+        raise ProgrammingError("INSERT INTO jobs", {}, Exception("no such table: jobs"))
+
+    monkeypatch.setattr(service, "add_photograph", full)
+    monkeypatch.setattr(stored_bytes, "let_go", broken)
+    refused = operator.post(f"/surveys/{survey_id}/photographs", files={"file": ("rig.jpg", told_bytes())})
+    assert (refused.status_code, refused.json()["error"]["code"]) == (507, "database-disk-full")
+    assert "stays in the media store" in caplog.text and "no such table: jobs" in caplog.text
 
 
 def test_a_photograph_that_is_not_noted_leaves_no_file_and_may_be_sent_again(

@@ -1,5 +1,6 @@
 """Pictures and clips of a checkerboard, read for the command line's `calibrate` and `pose`."""
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from hashlib import sha256
 from pathlib import Path
@@ -93,12 +94,12 @@ def pose_detections(
     paths: Sequence[Path], camera: Camera, board: Board, stream_number: int | None = None
 ) -> tuple[list[Corners], NDArray[np.float64] | None, tuple[Said, ...]]:
     """The board in every picture or frame, in time order, found once and then followed; the mean picture of
-    the frames in which it stood still; and which files hold pictures of one before, which count once.
+    the frames in which it stood still; and what was given before, which counts once.
 
     A span without the board is searched for a bounded time. Raises BadInput where a picture has another
     size than the camera's.
     """
-    seen, twice = dict[bytes, int](), dict[int, Said]()
+    seen, twice, frames_twice = dict[bytes, int](), list[Said](), Counter[str]()
     detections: list[Corners] = []
     last: Corners | None = None
     mean = MeanPicture()
@@ -109,7 +110,10 @@ def pose_detections(
             before = seen.setdefault(sha256(gray.tobytes()).digest(), number)
             if before != number:
                 # counted again it would make the pose look better known than it is
-                twice[number] = Said("pose-image-twice", name=path.name, file=paths[before].name)
+                if name == path.name:  # no frame of a clip
+                    twice.append(Said("pose-image-twice", name=name, file=paths[before].name))
+                else:
+                    frames_twice[path.name] += 1
                 continue
             corners = not_found(board, Said("board-search-stopped")) if last is None else track(gray, last)
             if not corners.found and searched_s < SEARCH_S:
@@ -120,4 +124,5 @@ def pose_detections(
             if corners.found:
                 last = corners
                 mean.add(gray, corners)
-    return detections, mean.result(), tuple(twice.values())
+    twice += [Said("pose-frames-twice", name=name, count=count) for name, count in frames_twice.items()]
+    return detections, mean.result(), tuple(twice)

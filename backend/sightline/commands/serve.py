@@ -56,7 +56,6 @@ def run(
     settings = settings_of(data_dir=data_dir, host=host, port=port, workers=workers or None)
     keep_private(settings)
     with ExitStack() as stack:
-        stack.enter_context(kept_for_good())  # until it answers
         listener = stack.enter_context(listen(settings.host, settings.port))
         serve_on(listener, settings, stack, own_worker=workers != 0, with_demo=with_demo)
 
@@ -88,17 +87,18 @@ def serve_on(
     listener: socket.socket, settings: Settings, stack: ExitStack, *, own_worker: bool, with_demo: bool
 ) -> None:
     """Open everything and answer until stopped; the workers start once the server answers."""
-    from sightline.app import create_app
-    from sightline.infra.audit.guards import require_guards
-    from sightline.infra.database.engine import make_engine, migrate, translate_database_errors
-    from sightline.infra.installation import require_alike
-    from sightline.infra.jobs.workers import start_child_workers
-    from sightline.infra.log import begin_log
-    from sightline.infra.page_watch import PageWatch
-    from sightline.infra.services import open_services
-    from sightline.infra.web.metrics import serve_metrics
-    from sightline.infra.web.secret import require_secrets
-    from sightline.people.service import first_sign_in_link
+    with kept_for_good():
+        from sightline.app import create_app
+        from sightline.infra.audit.guards import require_guards
+        from sightline.infra.database.engine import make_engine, migrate, translate_database_errors
+        from sightline.infra.installation import require_alike
+        from sightline.infra.jobs.workers import start_child_workers
+        from sightline.infra.log import begin_log
+        from sightline.infra.page_watch import PageWatch
+        from sightline.infra.services import open_services
+        from sightline.infra.web.metrics import serve_metrics
+        from sightline.infra.web.secret import require_secrets
+        from sightline.people.service import first_sign_in_link
 
     require_secrets(settings)
     settings.data_dir.mkdir(parents=True, exist_ok=True)
@@ -116,7 +116,8 @@ def serve_on(
     link = first_sign_in_link(services)
     if with_demo:
         request_demonstration(services)
-    app = create_app(services=services)
+    with kept_for_good():
+        app = create_app(services=services)
     begin_log(settings.log_format, logging.INFO if settings.log_format == "json" else logging.WARNING)
     if settings.metrics_port:
         stack.callback(serve_metrics(settings.host, settings.metrics_port, app.state.metrics))
@@ -129,7 +130,6 @@ def serve_on(
             stack.callback(child.stop)
 
     gc.freeze()
-    gc.enable()
     answer(listener, web_config(app, settings), link, answering, settings.address)
 
 

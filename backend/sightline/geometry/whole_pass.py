@@ -14,7 +14,7 @@ import scipy
 from numpy.typing import NDArray
 
 from sightline.arrays import Floats
-from sightline.coverage import COVERAGE_95
+from sightline.coverage import COVERAGE_95, chance_of_larger
 from sightline.geometry.board_errors import board_parts
 from sightline.geometry.camera import undistort
 from sightline.geometry.followed_tracks import (
@@ -455,7 +455,7 @@ def _reported(
     reported, by = _as_told(fit, clicked_since_s)
     total = by @ np.sum([alone, *shared.values()], axis=0) @ by.T
     freedom = 2 * len(tracks.frame) - len(fit.free) + len(priors)
-    chance = float(scipy.special.chdtrc(freedom, fit.cost))
+    chance = chance_of_larger(fit.cost, freedom)
     place = {name: int(i) for i, name in enumerate(fit.free)}
 
     def solved(which: int) -> Solved | None:

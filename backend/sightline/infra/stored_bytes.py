@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterable
 from pathlib import Path, PurePosixPath
 from typing import TypeVar
 
-from sightline.errors import SightlineError
 from sightline.infra.backup.state import needed_media
 from sightline.infra.database import Session
 from sightline.infra.idempotency.request import beside_request
@@ -37,11 +36,12 @@ def store_file(
 
     What had the same content may be deleted meanwhile, with its file, so whether it is there is asked inside
     that transaction: from there on it stays. Where nothing is noted, a job deletes the file unless something
-    else needs it. Raises NoRoom, Away, and what `note` raises.
+    else needs it; a database that does not take the job either, or a process killed before that, leaves it.
+    Raises NoRoom, Away, and what `note` raises.
     """
     while True:
-        services.media.put_file(key, path, link=link)
         try:
+            services.media.put_file(key, path, link=link)  # may be there though its answer was lost
             with services.writing() as session:
                 if services.media.exists(key):
                     return note(session)
@@ -51,12 +51,13 @@ def store_file(
 
 
 def _let_go_unnoted(services: Services, survey_id: int, key: str, actor: int | None) -> None:
+    """Raises nothing: what the caller met is what is said."""
     try:
         with beside_request(), services.writing() as session:
             if not needed_media(session, key):
                 let_go(session, survey_id, [key], actor)
-    except SightlineError as error:
-        log.warning("%s stays in the media store: %s", key, error.message)
+    except Exception:
+        log.exception("%s stays in the media store", key)
 
 
 def store_bytes(
@@ -79,7 +80,7 @@ def store_bytes(
 def let_go(session: Session, survey_id: int, keys: Iterable[str | None], actor: int | None) -> None:
     """What named these files is gone: a job of the caller's transaction deletes those that nothing needs.
 
-    Whatever happens to a process or to the store meanwhile, none stays there for ever.
+    Once that is committed, none stays there for ever, whatever happens to a process or to the store.
     """
     payload = {"keys": [key for key in keys if key]}
     if payload["keys"]:

@@ -36,10 +36,9 @@ from dataclasses import dataclass, field
 from math import isfinite, sqrt
 
 import numpy as np
-import scipy
 
 from sightline.arrays import Floats
-from sightline.coverage import expanded
+from sightline.coverage import chance_of_larger, expanded
 from sightline.enums import RigPassKind
 from sightline.errors import BadInput
 from sightline.linescan.rig import BASELINE_M, DISTANCE_M, DIVERGENCE_RAD, baseline_at
@@ -225,7 +224,7 @@ def calibrate_rig(passes: Sequence[RigPass], common: Common | None = None) -> Ri
     )
     residual = span - design @ coefficients
     chi2, degrees = float(residual @ np.linalg.solve(spread, residual)), len(spans) - 2
-    p_value = float(scipy.special.chdtrc(degrees, chi2))
+    p_value = chance_of_larger(chi2, degrees)
     if p_value < CONTRADICTION:
         _contradict(fitted, chi2, degrees)
     u_baseline, u_divergence = (sqrt(one) for one in np.diag(covariance))

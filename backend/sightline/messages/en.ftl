@@ -3297,7 +3297,7 @@ stat-variance-too-large = The variance of the measurement is larger than that of
 stat-uncorrected = Heights as in Dupuis et al. (inset 0), without a correction.
 stat-deconvolved = After the shift by { SMALL($mean_m, digits: 1) }, the measurement’s own standard deviation of { SMALL($camera_sd_m, digits: 1) } was removed: every height moved towards the mean by { $keep } %.
 stat-percentile-needs = P{ $percent } needs { NUMBER($needed) }; { stat-there-are }
-stat-percentile-needs-alike = P{ $percent } needs { NUMBER($needed) }; { stat-there-are }, equivalent to { $like } of equal weight
+stat-percentile-needs-alike = P{ $percent } needs { NUMBER($needed) }; { stat-there-are }, equivalent to { NUMBER($like) } of equal weight
 stat-density-needs = A density needs at least { $least } vehicles; { stat-there-are }.
 stat-values-alike = All values are the same; a density needs values that differ.
 stat-no-reference = no counted height of this group has a reference height
@@ -4387,7 +4387,7 @@ audit-whole = { $count ->
 }
 audit-event-missing = Audit event { $number } of { $chain } is missing; restore a backup.
 audit-event-changed = Audit event { $number } of { $chain } was changed after it was written; restore a backup.
-audit-chain-ends-elsewhere = The audit chain of { $chain } ends at event { $count }, which is not where it ended; restore a backup.
+audit-chain-ends-elsewhere = The audit chain of { $chain } ends at event { $number }, which is not where it ended; restore a backup.
 audit-chains-not-signed = The audit chains are not those signed on { $at }; restore a backup.
 audit-chain-not-exported = The audit chain is not the one in package { $id }; restore a backup.
 audit-row-not-events = The { audit-thing } { $id } is not what its audit events state; restore a backup.
@@ -4697,7 +4697,7 @@ height-pass-short = The { $point ->
 height-pass-no-path = The followed points do not give a path on the road; follow them again.
 height-pass-disagrees = The followed points do not fit one moving vehicle; follow them again.
 height-pass-inset-undetermined = The frames do not determine the inset; follow the points over a longer distance.
-height-pass-most-excluded = { $dropped } of { $points } followed points were excluded; follow them again from a clearer frame.
+height-pass-most-excluded = { NUMBER($dropped) } of { NUMBER($points) } followed points were excluded; follow them again from a clearer frame.
 height-flag-plane-oblique = The side plane is seen at less than 10 degrees.
 height-flag-lens-edge = A click is near the edge of the lens model’s valid radius.
 height-flag-far-from-board = The vehicle’s distance differs strongly from the board’s.
@@ -4818,7 +4818,7 @@ commands-not-json = { $path } is not readable JSON; give { $what }.
 commands-not-writable = { $path } cannot be written ({ $strerror }); choose another place.
 commands-stream-camera-missing = Camera { $name } cannot be opened ({ $error }); check its cable, power and address, and that no other program uses it.
 commands-stream-camera-rows = Camera { $name } delivers lines of { $width } pixels, but { $rows } were requested; give --rows { $width }, or change the camera setting.
-commands-stream-empty = Standard input ended before one pair of lines ({ $pair_bytes } bytes) arrived; start the cameras first, and check --rows.
+commands-stream-empty = Standard input ended before one pair of lines ({ NUMBER($pair_bytes) } bytes) arrived; start the cameras first, and check --rows.
 commands-stream-follow-missing = { $path } cannot be read ({ $strerror }); give the file that the cameras’ program is writing.
 commands-stream-no-aravis = GigE Vision cameras need Aravis and PyGObject, which are not installed ({ $error }); install gir1.2-aravis-0.8 and python3-gi, or give the lines on standard input.
 commands-stream-other-rig = { $path } contains an interrupted stream (segment { $number }) recorded with other rows or another rig; start it with the same options to resume it, or choose another --spool.
@@ -5298,7 +5298,7 @@ strips-rows-too-long = { $name } has rows of { $width_px } pixels, too long to b
 strips-stored-damaged = The stored strip { $name } is damaged; restore it from a backup or read it again.
 strips-stored-missing = The stored strip { $name } is missing; restore it from a backup.
 strips-spool-damaged = { $path } is not a strip of a stream, or is damaged; leave it, and choose another --spool.
-strips-no-level = The strip { $name } has no level { $level }, only 0 to { $count }.
+strips-no-level = The strip { $name } has no level { $level }, only 0 to { $last }.
 strips-gain-range = A gain of { $gain } is out of range; choose 0.1 to 50.
 strips-no-tile = The strip { $name } has no tile { $index } in level { $level }.
 strips-index-size = has a pixel index that does not fit its size; { strips-copy-again }
@@ -5321,7 +5321,7 @@ strips-cuts-unusable = The { $what ->
     [rows] rows
    *[columns] columns
 } { $cut_1 } and { $cut_2 } cannot be cut from { $name }; choose two different ones from 0 to { $last_px }.
-strips-frames-changed = { $name } now has { $count } frames, not { $count_2 }; import it again.
+strips-frames-changed = { $name } now has { $count } frames, not { NUMBER($count_2) }; import it again.
 
 ## Errors: video
 
@@ -5343,16 +5343,16 @@ passes-camera-moves-too-far = The camera moves (by { $far_px } px and more), so 
 passes-were-found = { $found ->
     [0] No passes were found; mark them by hand.
     [one] 1 pass was found.
-   *[other] { $found } passes were found.
+   *[other] { NUMBER($found) } passes were found.
 }
 passes-were-found-again = { $found ->
     [one] 1 pass was found
-   *[other] { $found } passes were found
+   *[other] { NUMBER($found) } passes were found
 }: { $new ->
     [0] none new
-   *[other] { $new } new
-}, { $known } known or discarded before.
-scan-vehicles-found = { $found } found, { $added } new, { $revised } measured again.
+   *[other] { NUMBER($new) } new
+}, { NUMBER($known) } known or discarded before.
+scan-vehicles-found = { NUMBER($found) } found, { NUMBER($added) } new, { NUMBER($revised) } measured again.
 scan-vehicles-left = { $count } unchanged because another user edited them meanwhile.
 media-kind = { $kind ->
     [empty] is empty
@@ -5394,7 +5394,7 @@ video-set-aside = This recording crashed the decoder { $count } times and is not
 video-decoder-failing = The decoder crashed repeatedly; check the memory of this server.
 video-not-decodable = { $header } cannot be decoded: the decoder { $why }; save it in another format and try again.
 video-frame-unwanted = This frame is no longer needed.
-video-frame-outside = There is no frame { $n }; this recording has frames 0 to { $count }.
+video-frame-outside = There is no frame { $n }; this recording has frames 0 to { $last }.
 video-crop-outside = A crop of { $w } x { $h } pixels at scale { $scale } is out of bounds; ask for a smaller one.
 video-no-frame-readable = { $name } contains no frame that can be decoded; copy it again or convert it to MP4.
 video-size-changes = { $name } changes its frame size partway; split it there.
@@ -5663,7 +5663,7 @@ csv-size-too-large = { $name }, line { $line }: { $column } is “{ $cell }”, 
 csv-size-not-positive = { $name }, line { $line }: { $column } is “{ $cell }”; a size is above 0. Correct the cell.
 csv-uncertainty-below-0 = { $name }, line { $line }: { $column } is “{ $cell }”; an uncertainty is not below 0. Correct the cell.
 csv-not-utf-8 = { $name } is not a UTF-8 text; save it as CSV in UTF-8.
-vehicles-frames-changed = { $name } now has { $count } frames, but had { $count_2 } when it was imported; import it again.
+vehicles-frames-changed = { $name } now has { $count } frames, but had { NUMBER($count_2) } when it was imported; import it again.
 vehicles-search-running = Passes of { $name } are already being searched; wait until that has finished.
 vehicles-no-frames = A vehicle needs its first and last frame; mark the pass on the timeline.
 vehicles-year-to-come = No model of { $year } can have passed yet; give a year up to { $most }.
@@ -6929,7 +6929,7 @@ scan-wheelbase-no-motion = The vehicle has no measured motion.
 scan-wheelbase-one-wheel = Click the hubs of two different wheels.
 scan-wheelbase-at-rest = By its fitted motion the vehicle was at rest at one of the clicks.
 scan-run-none-found = No vehicle was found; check the strips, and that time runs along the chosen axis.
-scan-run-swapped = { $reversed } of { $found } vehicles reached the second strip first; if traffic does not run that way here, the strips are swapped.
+scan-run-swapped = { NUMBER($reversed) } of { NUMBER($found) } vehicles reached the second strip first; if traffic does not run that way here, the strips are swapped.
 scan-run-alone = { $alone } objects passed only one camera: check that both show the same lane, and check baseline and line rate.
 scan-run-stood-in-front = A vehicle stopped in front of another that stood; it may be missing, and so may vehicles that passed meanwhile.
 scan-run-light-changed = The brightness changed suddenly { $count ->
@@ -6968,7 +6968,7 @@ scan-flow-no-speed = No vehicle here has an accepted speed.
 scan-flow-rear-unseen = The occupancy is not known: the rear of a vehicle that stood here was not seen.
 scan-flow-no-u-occupancy = The uncertainty of the occupancy is not known: { $count } of the vehicles here have no motion.
 stream-lines-lost = { $count } lines of camera { $camera } were lost and replaced by copies; vehicles that passed meanwhile are not measured.
-stream-vehicles-wait = { $message } { $waiting } vehicles wait to be stored in the survey.
+stream-vehicles-wait = { $message } { NUMBER($waiting) } vehicles wait to be stored in the survey.
 stream-recording-deleted = { $recording } was deleted while it was streamed: none of its vehicles are stored from now on, and both strips are deleted at its end.
 stream-recording-not-there = { $recording } was not found in this survey: none of its vehicles are stored from now on.
 stream-strips-kept = The strips of { $recording } stay in { $first } and { $second }; the next stream with this folder tries again to store them.
@@ -7020,6 +7020,10 @@ pose-two-fit = Two poses fit the board almost equally well; turn the camera by s
 pose-squares-small = The squares are small in the image; bring the board closer.
 pose-board-rolled = The board appears rolled by { $roll_deg } degrees; check that columns and rows were not exchanged.
 pose-image-twice = { $name } is the same image as { $file }; it counts once.
+pose-frames-twice = { $count ->
+    [one] { $count } frame of { $name } was given before; it counts once.
+   *[other] { $count } frames of { $name } were given before; they count once.
+}
 pose-one-frame = Only one frame is used, so it is not checked that the board was at rest.
 pose-road-turned = Rotated by { NUMBER($heading_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) } degrees to the travel direction.
 pose-turned-by-vehicles = Rotated by { NUMBER($turn_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° to the direction of { NUMBER($vehicles) } vehicles.
@@ -7213,7 +7217,7 @@ video-gaps = Frames are missing: { $count ->
     [one] one gap
    *[other] { $count } gaps
  }, the longest { NUMBER($gap_s, minimumFractionDigits: 2, maximumFractionDigits: 2) } s after frame { $frame }.
-video-truncated = The file is truncated: { $missing } bytes are missing at its end. { $count } frames ({ NUMBER($span_s, minimumFractionDigits: 2, maximumFractionDigits: 2) } s) were imported; copy it again for the rest.
+video-truncated = The file is truncated: { NUMBER($missing) } bytes are missing at its end. { $count } frames ({ NUMBER($span_s, minimumFractionDigits: 2, maximumFractionDigits: 2) } s) were imported; copy it again for the rest.
 video-another-recording-after = The file contains another recording after this one, which is not imported. Split the file and add each part.
 video-other-tracks = The file contains { $count ->
     [one] another video track
@@ -7246,7 +7250,7 @@ video-frames-patched = { $count } { $count ->
 video-start-in-future = The file states a start of { $start } UTC, which is in the future: the camera’s clock is wrong, so no start is suggested.
 video-ends-early = The header states { NUMBER($duration_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s, the frames end after { NUMBER($end_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s; the file may be truncated.
 video-other-rate = The header states { $stated_hz } frames per second, the time stamps give { $rate_hz }; the time stamps are used.
-video-other-count = The header states { $claimed } frames, { $count } could be decoded; frame numbers refer to these.
+video-other-count = The header states { NUMBER($claimed) } frames, { $count } could be decoded; frame numbers refer to these.
 video-shown-upright = The frames were { $done }, as their header states.
 video-stretched = stretched for pixels of { $aspect }
 video-turned = turned by { $degrees } degrees clockwise
@@ -7421,7 +7425,7 @@ report-foot-head = Data as of { $moment }, audit head of the survey { $head }…
 report-empty-trail = an empty audit trail
 report-page = Page { $page } of { $pages }
 report-between = { $low } to { $high }
-report-of-all = { $part } of { $all }
+report-of-all = { NUMBER($part) } of { NUMBER($all) }
 report-decimal-sign = .
 report-date = { $year }-{ $month }-{ $day }
 report-minute = { $year }-{ $month }-{ $day } { $time }
@@ -7517,10 +7521,10 @@ report-interval-total = 95 %, total
 
 report-days-none = nothing yet
 report-days = { $first } to { $last }
-report-more-versions = and { $n } more (see measurements.csv)
-report-verdicts-of = { $individual } accepted individually, { $by_lot } by the sample of their lot. Of the { $of } not reviewed individually in { $lots ->
+report-more-versions = and { NUMBER($n) } more (see measurements.csv)
+report-verdicts-of = { NUMBER($individual) } accepted individually, { NUMBER($by_lot) } by the sample of their lot. Of the { NUMBER($of) } not reviewed individually in { $lots ->
     [one] 1 accepted lot
-   *[other] { $lots } accepted lots
+   *[other] { NUMBER($lots) } accepted lots
  }, { $estimate } are estimated to be wrong and { $at_most } at most (one-sided 95 %).
 report-only = <strong>Only:</strong> { $selection }. The results do not include the survey’s other vehicles.
 report-filmed = Filmed
@@ -7530,11 +7534,11 @@ report-place = Place
 report-in-this = In this report
 report-in-this-of = { $measurements ->
     [one] 1 measurement
-   *[other] { $measurements } measurements
+   *[other] { NUMBER($measurements) } measurements
  } of { $vehicles ->
     [one] 1 vehicle
-   *[other] { $vehicles } vehicles
- }, { $with_reference } with a reference height. Accepted measurements only.
+   *[other] { NUMBER($vehicles) } vehicles
+ }, { NUMBER($with_reference) } with a reference height. Accepted measurements only.
 report-verdicts = Verdicts
 report-state-of = Data as of
 report-code = Software
@@ -7551,7 +7555,7 @@ report-count-scanned-used = accepted of them
 report-span = { $day } { $first } to { $last } ({ $zone })
 report-unconfirmed = { $n ->
     [one] 1 recording without a confirmed start
-   *[other] { $n } recordings without a confirmed start
+   *[other] { NUMBER($n) } recordings without a confirmed start
  }
 report-coordinates = { $latitude }, { $longitude } (WGS84)
 report-limit = limit { $speed }
@@ -7633,11 +7637,11 @@ report-rate = Rate
 report-outside-sample = { $counts ->
     [yes] { $n ->
         [one] 1 pass outside the sample was measured and counts in the results.
-       *[other] { $n } passes outside the sample were measured and count in the results.
+       *[other] { NUMBER($n) } passes outside the sample were measured and count in the results.
      }
    *[no] { $n ->
         [one] 1 pass outside the sample was measured and does not count in the results.
-       *[other] { $n } passes outside the sample were measured and do not count in the results.
+       *[other] { NUMBER($n) } passes outside the sample were measured and do not count in the results.
      }
  }
 
@@ -7708,34 +7712,34 @@ report-filmed-on = Filmed { $moment }
 report-not-covered = Not covered
 report-concluded-of = { $measurements ->
     [one] 1 accepted height
-   *[other] { $measurements } accepted heights
+   *[other] { NUMBER($measurements) } accepted heights
  } of { $vehicles ->
     [one] 1 vehicle
-   *[other] { $vehicles } vehicles
+   *[other] { NUMBER($vehicles) } vehicles
  }, measured from roadside video.
-report-concluded-rule = P{ $percent } of { $of } ({ $classes }, n = { $n }): { $value }{ $interval }. { $standard } uses { $limit }: { $verdict }.
-report-concluded-none = P{ $percent } of { $of } ({ $classes }, n = { $n }) cannot be stated: { $reason }.
+report-concluded-rule = P{ $percent } of { $of } ({ $classes }, n = { NUMBER($n) }): { $value }{ $interval }. { $standard } uses { $limit }: { $verdict }.
+report-concluded-none = P{ $percent } of { $of } ({ $classes }, n = { NUMBER($n) }) cannot be stated: { $reason }.
 report-uncovered-selection = Vehicles outside the limits of this package, which covers only: { $selection }.
 report-uncovered-classes = Vehicle classes: no class is known for some targets, so their figures include all vehicles.
 report-uncovered-excluded = { $n ->
     [one] 1 measurement is excluded; the table of exclusions gives the reason.
-   *[other] { $n } measurements are excluded; the table of exclusions gives the reasons.
+   *[other] { NUMBER($n) } measurements are excluded; the table of exclusions gives the reasons.
  }
 report-uncovered-not-visible = { $n ->
     [one] 1 target was not visible.
-   *[other] { $n } targets were not visible.
+   *[other] { NUMBER($n) } targets were not visible.
  }
 report-uncovered-out-of-date = { $n ->
     [one] 1 height is out of date: facts that it depends on were changed after it was computed. It is included unchanged.
-   *[other] { $n } heights are out of date: facts that they depend on were changed after they were computed. They are included unchanged.
+   *[other] { NUMBER($n) } heights are out of date: facts that they depend on were changed after they were computed. They are included unchanged.
  }
 report-uncovered-line-heights = { $n ->
     [one] 1 accepted height of a line scan: the section on line scans contains it.
-   *[other] { $n } accepted heights of line scans: the section on line scans contains them.
+   *[other] { NUMBER($n) } accepted heights of line scans: the section on line scans contains them.
  }
 report-uncovered-by-lot = { $n ->
     [one] 1 accepted height was not reviewed individually: the sample of its lot was.
-   *[other] { $n } accepted heights were not reviewed individually: the samples of their lots were.
+   *[other] { NUMBER($n) } accepted heights were not reviewed individually: the samples of their lots were.
  }
 report-uncovered-others = Other roads, days and traffic: the intervals are for the traffic that passes this site.
 report-readme-contents = What is in this package
@@ -7749,7 +7753,7 @@ report-readme-check = To check everything: sightline verify, with the key that t
 report-error-none = No vehicle has a reference height, so the errors of heights cannot be stated.
 report-error-short = Roof heights of { $n ->
     [one] 1 vehicle
-   *[other] { $n } vehicles
+   *[other] { NUMBER($n) } vehicles
  } with a reference height: mean absolute error { $mae }{ $mae_interval }, bias { $bias }{ $bias_interval }.
 report-rules = Standards: the same percentile today. The percentile on which a standard is based, with its total 95 % interval. “Lower” or “higher” is stated if the risk of error is at most 2.5 % (JCGM 106).
 report-rule-column = Rule
@@ -7794,7 +7798,7 @@ report-check-targets = { $target }, check targets
 
 report-heights = Distributions of heights
 report-heights-none = There are no accepted heights yet.
-report-percentiles = True heights of the { $target }, all classes together, with total 95 % intervals; vehicles: { $n }.
+report-percentiles = True heights of the { $target }, all classes together, with total 95 % intervals; vehicles: { NUMBER($n) }.
 report-holds = True heights: random measurement error is removed from the spread. Total intervals include { $holds }.
 report-absent = No accepted heights: { $targets }.
 report-percentile = Percentile
@@ -7840,11 +7844,11 @@ report-and = { $first } and { $last }
 report-apart = { $first }; { $second }
 report-scans-direct = { $n ->
     [one] 1 vehicle by registration of both strips as a whole (direct registration)
-   *[other] { $n } vehicles by registration of both strips as a whole (direct registration)
+   *[other] { NUMBER($n) } vehicles by registration of both strips as a whole (direct registration)
  }
 report-scans-paper = { $n ->
     [one] 1 vehicle by the paper’s block matching and linear regression
-   *[other] { $n } vehicles by the paper’s block matching and linear regression
+   *[other] { NUMBER($n) } vehicles by the paper’s block matching and linear regression
  }
 report-rigs = Line scans and their rigs as entered; u is the standard uncertainty.
 report-line-scan = Line scan
@@ -7860,13 +7864,13 @@ report-strips = strips, { $lighting }
 report-from-traffic = from the traffic
 report-with-u = { $value } (u = { $u })
 report-no-vehicle = They contain no vehicles.
-report-left-out-to-review = { $n } not reviewed yet
-report-left-out-rejected = { $n } rejected
-report-left-out-not-measurable = { $n } not measurable
+report-left-out-to-review = { NUMBER($n) } not reviewed yet
+report-left-out-rejected = { NUMBER($n) } rejected
+report-left-out-not-measurable = { NUMBER($n) } not measurable
 report-none-accepted = There are no accepted vehicles of line scans.
 report-accepted-count = { $n ->
-    [one] 1 of { $all } detected vehicles accepted.
-   *[other] { $n } of { $all } detected vehicles accepted.
+    [one] 1 of { NUMBER($all) } detected vehicles accepted.
+   *[other] { NUMBER($n) } of { NUMBER($all) } detected vehicles accepted.
  }
 report-scans-left-out = Excluded: { $states }; scan_vehicles.csv states the reasons.
 report-speed-short = Mean speed { $mean }; 85th percentile speed (V85) { $p85 } { $interval }.
@@ -7883,11 +7887,11 @@ report-by-lengths = Baseline by lengths: { $reason }
 report-by-wheelbases = Baseline by wheelbases: { $reason }
 report-over-lengths = Measured divided by known lengths of { $n ->
     [one] 1 vehicle
-   *[other] { $n } vehicles
+   *[other] { NUMBER($n) } vehicles
  }: { $ratio } (u = { $u }). { $verdict }
 report-over-wheelbases = Measured divided by known wheelbases of { $n ->
     [one] 1 vehicle
-   *[other] { $n } vehicles
+   *[other] { NUMBER($n) } vehicles
  }: { $ratio } (u = { $u }). { $verdict }
 report-baseline-agrees = The ratio is within 2 u of 1, so they do not contradict the baseline.
 report-sizes-none = No accepted vehicle has a known length or wheelbase, so their errors cannot be stated.
@@ -7910,7 +7914,7 @@ report-length-column = Length
 report-true-length = Known length
 report-length-error = Length error
 report-fit-error = Fit error
-report-first-of = The first { $shown } of { $all }; scan_vehicles.csv contains all.
+report-first-of = The first { NUMBER($shown) } of { NUMBER($all) }; scan_vehicles.csv contains all.
 
 ## Report: what was left out, how to check
 
@@ -7918,12 +7922,12 @@ report-left-out = Exclusions
 report-nothing-left-out = No measurements were excluded.
 report-left-out-of = { $n ->
     [one] 1 measurement is excluded from the results.
-   *[other] { $n } measurements are excluded from the results.
+   *[other] { NUMBER($n) } measurements are excluded from the results.
  } The package’s CSV files list all of them.
 report-left-out-first = { $n ->
     [one] 1 measurement is excluded from the results.
-   *[other] { $n } measurements are excluded from the results.
- } The first { $shown } are listed here. The package’s CSV files list all of them.
+   *[other] { NUMBER($n) } measurements are excluded from the results.
+ } The first { NUMBER($shown) } are listed here. The package’s CSV files list all of them.
 report-left-out-table = Excluded measurements and reasons.
 report-number = Number
 report-state = State
@@ -7933,7 +7937,7 @@ report-package = PACKAGE
 report-trail-empty = The audit trail is empty.
 report-trail = The audit trail has { $n ->
     [one] 1 event
-   *[other] { $n } events
+   *[other] { NUMBER($n) } events
  } up to the last of this survey. Each contains the hash of the one before. Anyone who has kept the hash of that event can check that nothing before it was changed. That hash is the audit head of the survey, given below and at the foot of each page. The following event seals this package: it names every file by its hash. Its own hash is the audit head of the package, given where the package was built.
 report-checksums = SHA-256 of the package’s files.
 report-file = File
@@ -8006,20 +8010,20 @@ report-study-simulated = <strong>Simulated.</strong> Nothing was filmed: the veh
 report-joined = Combined
 report-joined-of = { $surveys ->
     [one] 1 survey
-   *[other] { $surveys } surveys
+   *[other] { NUMBER($surveys) } surveys
  } at { $sites ->
     [one] 1 site
-   *[other] { $sites } sites
- }: { $heights } accepted heights of { $vehicles ->
+   *[other] { NUMBER($sites) } sites
+ }: { NUMBER($heights) } accepted heights of { $vehicles ->
     [one] 1 vehicle
-   *[other] { $vehicles } vehicles
+   *[other] { NUMBER($vehicles) } vehicles
  }
 report-weighted = Weighted
 report-not-weighted = no: vehicles count as sampled
 report-fleet-by = to the fleet’s shares by { $margins }, from its table
 report-target-reason = { $target }: { $reason }.
 report-study-table = Heights above the road in { $unit }: true heights, weighted to the fleet if one was given, with total 95 % intervals.
-report-sites-of = { $n } sites
+report-sites-of = { NUMBER($n) } sites
 report-study-note = The intervals include sampling of vehicles and of sites, and errors that heights share (camera pose, mean inset). Random measurement error is removed from the values.
 report-study-note-one-site = The intervals include sampling of vehicles and of sites, and errors that heights share (camera pose, mean inset). Random measurement error is removed from the values. With one site, they apply to that site only.
 report-years-table = Years compared: later year minus first year, each weighted separately, with total 95 % intervals.
@@ -8032,7 +8036,7 @@ report-more-lower = lower (significant)
 report-not-told-apart = no significant difference
 report-year-no-interval = no interval
 report-verdict-why = { $verdict } ({ $reason })
-report-makers-words = Roof heights of { $n } vehicles with a manufacturer’s height: mean absolute error { $mae } (95 %: { $mae_interval }), bias { $bias } (95 %: { $bias_interval }).
+report-makers-words = Roof heights of { NUMBER($n) } vehicles with a manufacturer’s height: mean absolute error { $mae } (95 %: { $mae_interval }), bias { $bias } (95 %: { $bias_interval }).
 report-studied = Data
 report-surveys = The surveys. “Included”: accepted heights that count by the survey’s sampling rule; “excluded”: those of vehicles outside the sample that do not count.
 report-survey-column = Survey

@@ -3300,7 +3300,7 @@ stat-variance-too-large = La variance de la mesure dépasse celle des hauteurs�
 stat-uncorrected = Hauteurs comme dans Dupuis et al. (retrait 0), sans correction.
 stat-deconvolved = Après le décalage de { SMALL($mean_m, digits: 1) }, l’écart-type propre de la mesure, { SMALL($camera_sd_m, digits: 1) }, a été retiré : chaque hauteur s’est rapprochée de la moyenne de { $keep } %.
 stat-percentile-needs = P{ $percent } exige { NUMBER($needed) } véhicules ; { stat-there-are }
-stat-percentile-needs-alike = P{ $percent } exige { NUMBER($needed) } véhicules ; { stat-there-are }, équivalant à { $like } de même poids
+stat-percentile-needs-alike = P{ $percent } exige { NUMBER($needed) } véhicules ; { stat-there-are }, équivalant à { NUMBER($like) } de même poids
 stat-density-needs = Une densité demande au moins { $least } véhicules ; { stat-there-are }.
 stat-values-alike = Toutes les valeurs sont égales ; une densité demande des valeurs différentes.
 stat-no-reference = aucune hauteur retenue de ce groupe n’a de hauteur de référence
@@ -4383,7 +4383,7 @@ audit-whole = { $count ->
 }
 audit-event-missing = L’événement d’audit { $number } de { $chain } manque ; restaurez une sauvegarde.
 audit-event-changed = L’événement d’audit { $number } de { $chain } a été modifié après son écriture ; restaurez une sauvegarde.
-audit-chain-ends-elsewhere = La chaîne d’audit de { $chain } se termine à l’événement { $count }, ce qui n’est pas sa vraie fin ; restaurez une sauvegarde.
+audit-chain-ends-elsewhere = La chaîne d’audit de { $chain } se termine à l’événement { $number }, ce qui n’est pas sa vraie fin ; restaurez une sauvegarde.
 audit-chains-not-signed = Les chaînes d’audit ne sont pas celles signées le { $at } ; restaurez une sauvegarde.
 audit-chain-not-exported = La chaîne d’audit n’est pas celle de l’export { $id } ; restaurez une sauvegarde.
 audit-row-not-events = { audit-thing } { $id } diffère de ses événements ; restaurez une sauvegarde.
@@ -4693,7 +4693,7 @@ height-pass-short = Suivi { $point ->
 height-pass-no-path = Les points suivis ne donnent pas de trajectoire sur la chaussée ; suivez-les à nouveau.
 height-pass-disagrees = Les points suivis ne correspondent pas à un même véhicule en mouvement ; suivez-les à nouveau.
 height-pass-inset-undetermined = Les images ne déterminent pas le retrait ; suivez les points sur une plus longue distance.
-height-pass-most-excluded = { $dropped } points suivis sur { $points } ont été exclus ; suivez-les à nouveau à partir d’une image plus nette.
+height-pass-most-excluded = { NUMBER($dropped) } points suivis sur { NUMBER($points) } ont été exclus ; suivez-les à nouveau à partir d’une image plus nette.
 height-flag-plane-oblique = Le plan latéral est vu sous moins de 10 degrés.
 height-flag-lens-edge = Un pointé est près du bord du rayon de validité du modèle d’objectif.
 height-flag-far-from-board = La distance du véhicule est très différente de celle de la mire.
@@ -4812,7 +4812,7 @@ commands-not-json = { $path } n’est pas un JSON lisible ; indiquez { $what }
 commands-not-writable = Impossible d’écrire { $path } ({ $strerror }) ; choisissez un autre emplacement.
 commands-stream-camera-missing = La caméra { $name } ne peut pas être ouverte ({ $error }) ; vérifiez son câble, son alimentation et son adresse, et qu’aucun autre programme ne l’utilise.
 commands-stream-camera-rows = La caméra { $name } donne des lignes de { $width } pixels, et { $rows } ont été demandés ; indiquez --rows { $width }, ou réglez la caméra.
-commands-stream-empty = L’entrée standard s’est terminée avant une première paire de lignes ({ $pair_bytes } octets) ; démarrez d’abord les caméras, et vérifiez --rows.
+commands-stream-empty = L’entrée standard s’est terminée avant une première paire de lignes ({ NUMBER($pair_bytes) } octets) ; démarrez d’abord les caméras, et vérifiez --rows.
 commands-stream-follow-missing = { $path } est illisible ({ $strerror }) ; indiquez le fichier que le programme des caméras est en train d’écrire.
 commands-stream-no-aravis = Les caméras GigE Vision demandent Aravis et PyGObject, absents ici ({ $error }) ; installez gir1.2-aravis-0.8 et python3-gi, ou fournissez les lignes sur l’entrée standard.
 commands-stream-other-rig = { $path } contient un flux interrompu (segment { $number }), enregistré avec un autre nombre de pixels par ligne ou un autre dispositif ; relancez-le avec les mêmes options pour le reprendre, ou choisissez un autre --spool.
@@ -5342,7 +5342,7 @@ strips-rows-too-long = { $name } a des rangées de { $width_px } pixels, trop lo
 strips-stored-damaged = La bande stockée { $name } est endommagée ; restaurez-la depuis une sauvegarde ou importez-la à nouveau.
 strips-stored-missing = La bande stockée { $name } manque ; restaurez-la depuis une sauvegarde.
 strips-spool-damaged = { $path } n’est pas une bande d’un flux, ou est endommagé ; laissez-le, et choisissez un autre --spool.
-strips-no-level = La bande { $name } n’a pas de niveau { $level }, seulement 0 à { $count }.
+strips-no-level = La bande { $name } n’a pas de niveau { $level }, seulement 0 à { $last }.
 strips-gain-range = Le gain { $gain } ne peut pas être affiché ; choisissez-en un de 0,1 à 50.
 strips-no-tile = La bande { $name } n’a pas de tuile { $index } au niveau { $level }.
 strips-index-size = a un index de pixels qui ne correspond pas à sa taille ; { strips-copy-again }
@@ -5365,7 +5365,7 @@ strips-cuts-unusable = Les { $what ->
     [rows] rangées
    *[columns] colonnes
 } { $cut_1 } et { $cut_2 } ne peuvent pas être extraites de { $name } ; choisissez-en deux différentes de 0 à { $last_px }.
-strips-frames-changed = { $name } a maintenant { $count } images, et non { $count_2 } ; importez-le à nouveau.
+strips-frames-changed = { $name } a maintenant { $count } images, et non { NUMBER($count_2) } ; importez-le à nouveau.
 
 ## Erreurs : vidéo
 
@@ -5387,16 +5387,16 @@ passes-camera-moves-too-far = La caméra bouge (de { $far_px } px et plus) ; 
 passes-were-found = { $found ->
     [0] Aucun passage n’a été trouvé ; marquez-les à la main.
     [one] Un passage trouvé.
-   *[other] Passages trouvés : { $found }.
+   *[other] Passages trouvés : { NUMBER($found) }.
 }
 passes-were-found-again = { $found ->
     [one] Un passage trouvé
-   *[other] Passages trouvés : { $found }
+   *[other] Passages trouvés : { NUMBER($found) }
 } : { $new ->
     [0] aucun nouveau
-   *[other] nouveaux : { $new }
-}, connus ou écartés avant : { $known }.
-scan-vehicles-found = Trouvés : { $found }, nouveaux : { $added }, mesurés de nouveau : { $revised }.
+   *[other] nouveaux : { NUMBER($new) }
+}, connus ou écartés avant : { NUMBER($known) }.
+scan-vehicles-found = Trouvés : { NUMBER($found) }, nouveaux : { NUMBER($added) }, mesurés de nouveau : { NUMBER($revised) }.
 scan-vehicles-left = Laissés parce que quelqu’un les a modifiés entre-temps : { $count }.
 media-kind = { $kind ->
     [empty] est vide
@@ -5438,7 +5438,7 @@ video-set-aside = Cet enregistrement a fait planter le décodeur { $count } fois
 video-decoder-failing = Le décodeur s’est arrêté plusieurs fois de suite ; vérifiez la mémoire de cette machine.
 video-not-decodable = { $header } ne peut pas être décodé : le décodeur { $why } ; enregistrez-le dans un autre format et réessayez.
 video-frame-unwanted = Cette image n’était plus demandée.
-video-frame-outside = Il n’y a pas d’image { $n } ; cet enregistrement a les images 0 à { $count }.
+video-frame-outside = Il n’y a pas d’image { $n } ; cet enregistrement a les images 0 à { $last }.
 video-crop-outside = Un recadrage de { $w } x { $h } pixels à l’échelle { $scale } est hors limites ; demandez-en un plus petit.
 video-no-frame-readable = { $name } ne contient aucune image décodable ; copiez-le à nouveau ou convertissez-le en MP4.
 video-size-changes = { $name } change de taille d’image en cours de route ; coupez-le là où la taille change.
@@ -5718,7 +5718,7 @@ csv-size-too-large = { $name }, ligne { $line } : { $column } vaut « { $cell 
 csv-size-not-positive = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; une dimension est supérieure à 0. Corrigez la cellule.
 csv-uncertainty-below-0 = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; une incertitude n’est pas négative. Corrigez la cellule.
 csv-not-utf-8 = { $name } n’est pas un texte UTF-8 ; enregistrez-le en CSV UTF-8.
-vehicles-frames-changed = { $name } a maintenant { $count } images et en avait { $count_2 } à l’import ; importez-le à nouveau.
+vehicles-frames-changed = { $name } a maintenant { $count } images et en avait { NUMBER($count_2) } à l’import ; importez-le à nouveau.
 vehicles-search-running = Une détection des passages de { $name } est déjà en cours ; attendez la fin.
 vehicles-no-frames = Un véhicule demande sa première et sa dernière image ; marquez le passage sur la frise.
 vehicles-year-to-come = Aucun modèle de { $year } n’a pu passer encore ; donnez une année jusqu’à { $most }.
@@ -6996,7 +6996,7 @@ scan-wheelbase-no-motion = Le véhicule n’a pas de mouvement mesuré.
 scan-wheelbase-one-wheel = Cliquez sur les moyeux de deux roues différentes.
 scan-wheelbase-at-rest = D’après son mouvement ajusté, le véhicule était arrêté à l’un des pointés.
 scan-run-none-found = Aucun véhicule n’a été trouvé ; contrôlez les bandes, et que le temps court selon l’axe choisi.
-scan-run-swapped = { $reversed } véhicules sur { $found } ont atteint d’abord la deuxième bande ; si le trafic ne va pas dans ce sens ici, les bandes sont inversées.
+scan-run-swapped = { NUMBER($reversed) } véhicules sur { NUMBER($found) } ont atteint d’abord la deuxième bande ; si le trafic ne va pas dans ce sens ici, les bandes sont inversées.
 scan-run-alone = { $alone } objets ne sont passés que devant une caméra : vérifiez que les deux montrent la même voie, et contrôlez base et cadence de lignes.
 scan-run-stood-in-front = Un véhicule s’est arrêté devant un autre à l’arrêt ; il peut manquer, ainsi que des véhicules passés pendant ce temps.
 scan-run-light-changed = La luminosité a varié brusquement ({ $count } fois) ; les véhicules passés à ce moment peuvent manquer.
@@ -7029,7 +7029,7 @@ scan-flow-no-speed = Aucun véhicule n’a ici de vitesse validée.
 scan-flow-rear-unseen = Le taux d’occupation n’est pas connu : l’arrière d’un véhicule arrêté ici n’a pas été vu.
 scan-flow-no-u-occupancy = L’incertitude du taux d’occupation n’est pas connue : { $count } des véhicules n’ont pas de mouvement.
 stream-lines-lost = { $count } lignes de la caméra { $camera } ont été perdues et remplacées par des copies ; les véhicules passés pendant ce temps ne sont pas mesurés.
-stream-vehicles-wait = { $message } { $waiting } véhicules attendent d’être enregistrés dans le relevé.
+stream-vehicles-wait = { $message } { NUMBER($waiting) } véhicules attendent d’être enregistrés dans le relevé.
 stream-recording-deleted = { $recording } a été supprimé pendant le flux : plus aucun de ses véhicules n’est enregistré, et ses deux bandes sont supprimées à sa fin.
 stream-recording-not-there = { $recording } est introuvable dans ce relevé : plus aucun de ses véhicules n’est enregistré.
 stream-strips-kept = Les bandes de { $recording } restent dans { $first } et { $second } ; le prochain flux avec ce dossier essaiera de nouveau de les enregistrer.
@@ -7081,6 +7081,10 @@ pose-two-fit = Deux poses s’accordent presque aussi bien à la mire ; tourne
 pose-squares-small = Les cases sont petites dans l’image ; approchez la mire.
 pose-board-rolled = La mire paraît tournée de { $roll_deg } degrés ; contrôlez que colonnes et rangées ne sont pas inversées.
 pose-image-twice = { $name } est la même image que { $file } ; elle compte une fois.
+pose-frames-twice = { $count ->
+    [one] { $count } image de { $name } a déjà été donnée ; elle compte une fois.
+   *[other] { $count } images de { $name } ont déjà été données ; elles comptent une fois.
+}
 pose-one-frame = Une seule image est utilisée ; l’immobilité de la mire n’est pas contrôlée.
 pose-road-turned = Pivotée de { NUMBER($heading_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) } degrés vers le sens de circulation.
 pose-turned-by-vehicles = Pivotée de { NUMBER($turn_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° vers le sens de { NUMBER($vehicles) } véhicules.
@@ -7274,7 +7278,7 @@ video-gaps = Des images manquent : { $count ->
     [one] une lacune
    *[other] { $count } lacunes
  }, la plus longue de { NUMBER($gap_s, minimumFractionDigits: 2, maximumFractionDigits: 2) } s après l’image { $frame }.
-video-truncated = Le fichier est tronqué : il manque { $missing } octets à la fin. { $count } images ({ NUMBER($span_s, minimumFractionDigits: 2, maximumFractionDigits: 2) } s) ont été importées ; recopiez-le pour le reste.
+video-truncated = Le fichier est tronqué : il manque { NUMBER($missing) } octets à la fin. { $count } images ({ NUMBER($span_s, minimumFractionDigits: 2, maximumFractionDigits: 2) } s) ont été importées ; recopiez-le pour le reste.
 video-another-recording-after = Le fichier contient après celui-ci un autre enregistrement, qui n’est pas importé. Scindez le fichier et ajoutez chaque partie.
 video-other-tracks = Le fichier contient { $count ->
     [one] une autre piste vidéo
@@ -7307,7 +7311,7 @@ video-frames-patched = { $count } { $count ->
 video-start-in-future = Le fichier indique un début à { $start } UTC, qui est dans le futur : l’horloge de la caméra est fausse ; aucun début n’est donc proposé.
 video-ends-early = L’en-tête annonce { NUMBER($duration_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s, les images s’arrêtent à { NUMBER($end_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s ; le fichier est peut-être tronqué.
 video-other-rate = L’en-tête annonce { $stated_hz } images par seconde, les horodatages { $rate_hz } ; les horodatages font foi.
-video-other-count = L’en-tête annonce { $claimed } images, { $count } ont pu être décodées ; les numéros d’image se rapportent à celles-ci.
+video-other-count = L’en-tête annonce { NUMBER($claimed) } images, { $count } ont pu être décodées ; les numéros d’image se rapportent à celles-ci.
 video-shown-upright = Les images ont été { $done }, comme l’indique leur en-tête.
 video-stretched = étirées pour des pixels de { $aspect }
 video-turned = tournées de { $degrees } degrés dans le sens horaire
@@ -7482,7 +7486,7 @@ report-foot-head = État au { $moment }, tête d’audit du relevé { $head }…
 report-empty-trail = journal d’audit vide
 report-page = Page { $page } sur { $pages }
 report-between = { $low } à { $high }
-report-of-all = { $part } sur { $all }
+report-of-all = { NUMBER($part) } sur { NUMBER($all) }
 report-decimal-sign = ,
 report-date = { $day }/{ $month }/{ $year }
 report-minute = { $day }/{ $month }/{ $year } { $time }
@@ -7578,10 +7582,10 @@ report-interval-total = 95 %, total
 
 report-days-none = rien encore
 report-days = du { $first } au { $last }
-report-more-versions = et { $n } autres (voir measurements.csv)
-report-verdicts-of = { $individual } validées par une décision individuelle, { $by_lot } par l’échantillon de leur lot. Parmi les { $of } non vérifiées individuellement dans { $lots ->
-    [one] { $lots } lot accepté
-   *[other] { $lots } lots acceptés
+report-more-versions = et { NUMBER($n) } autres (voir measurements.csv)
+report-verdicts-of = { NUMBER($individual) } validées par une décision individuelle, { NUMBER($by_lot) } par l’échantillon de leur lot. Parmi les { NUMBER($of) } non vérifiées individuellement dans { $lots ->
+    [one] { NUMBER($lots) } lot accepté
+   *[other] { NUMBER($lots) } lots acceptés
  }, { $estimate } sont fausses d’après l’estimation et { $at_most } au plus (95 % unilatéral).
 report-only = <strong>Uniquement :</strong> { $selection }. Les résultats ne comprennent pas les autres véhicules du relevé.
 report-filmed = Filmé
@@ -7590,12 +7594,12 @@ report-measured = Mesuré
 report-place = Lieu
 report-in-this = Dans ce rapport
 report-in-this-of = { $measurements ->
-    [one] { $measurements } mesure
-   *[other] { $measurements } mesures
+    [one] { NUMBER($measurements) } mesure
+   *[other] { NUMBER($measurements) } mesures
  } de { $vehicles ->
-    [one] { $vehicles } véhicule
-   *[other] { $vehicles } véhicules
- }, dont { $with_reference } avec une hauteur de référence. Mesures validées seulement.
+    [one] { NUMBER($vehicles) } véhicule
+   *[other] { NUMBER($vehicles) } véhicules
+ }, dont { NUMBER($with_reference) } avec une hauteur de référence. Mesures validées seulement.
 report-verdicts = Décisions
 report-state-of = État au
 report-code = Programme
@@ -7611,8 +7615,8 @@ report-count-scanned = véhicules balayés
 report-count-scanned-used = dont validés
 report-span = { $day } de { $first } à { $last } ({ $zone })
 report-unconfirmed = { $n ->
-    [one] { $n } enregistrement dont le début n’est pas confirmé
-   *[other] { $n } enregistrements dont le début n’est pas confirmé
+    [one] { NUMBER($n) } enregistrement dont le début n’est pas confirmé
+   *[other] { NUMBER($n) } enregistrements dont le début n’est pas confirmé
  }
 report-coordinates = { $latitude } ; { $longitude } (WGS84)
 report-limit = limitée à { $speed }
@@ -7693,12 +7697,12 @@ report-open = À faire
 report-rate = Taux
 report-outside-sample = { $counts ->
     [yes] { $n ->
-        [one] { $n } passage a été mesuré bien que hors de l’échantillon, et compte dans les résultats.
-       *[other] { $n } passages ont été mesurés bien que hors de l’échantillon, et comptent dans les résultats.
+        [one] { NUMBER($n) } passage a été mesuré bien que hors de l’échantillon, et compte dans les résultats.
+       *[other] { NUMBER($n) } passages ont été mesurés bien que hors de l’échantillon, et comptent dans les résultats.
      }
    *[no] { $n ->
-        [one] { $n } passage a été mesuré hors de l’échantillon et ne compte pas dans les résultats.
-       *[other] { $n } passages ont été mesurés hors de l’échantillon et ne comptent pas dans les résultats.
+        [one] { NUMBER($n) } passage a été mesuré hors de l’échantillon et ne compte pas dans les résultats.
+       *[other] { NUMBER($n) } passages ont été mesurés hors de l’échantillon et ne comptent pas dans les résultats.
      }
  }
 
@@ -7768,35 +7772,35 @@ report-conclusion = Conclusion
 report-filmed-on = Filmé : { $moment }
 report-not-covered = Non couvert
 report-concluded-of = { $measurements ->
-    [one] { $measurements } hauteur validée
-   *[other] { $measurements } hauteurs validées
+    [one] { NUMBER($measurements) } hauteur validée
+   *[other] { NUMBER($measurements) } hauteurs validées
  } de { $vehicles ->
-    [one] { $vehicles } véhicule
-   *[other] { $vehicles } véhicules
+    [one] { NUMBER($vehicles) } véhicule
+   *[other] { NUMBER($vehicles) } véhicules
  }, mesurées sur vidéo depuis le bord de la route.
-report-concluded-rule = P{ $percent } : { $of } ({ $classes }, n = { $n }) : { $value }{ $interval }. { $standard } retient { $limit } : { $verdict }.
-report-concluded-none = P{ $percent } : { $of } ({ $classes }, n = { $n }), non déterminé : { $reason }.
+report-concluded-rule = P{ $percent } : { $of } ({ $classes }, n = { NUMBER($n) }) : { $value }{ $interval }. { $standard } retient { $limit } : { $verdict }.
+report-concluded-none = P{ $percent } : { $of } ({ $classes }, n = { NUMBER($n) }), non déterminé : { $reason }.
 report-uncovered-selection = Les véhicules hors des limites de cette archive, qui contient seulement : { $selection }.
 report-uncovered-classes = Les classes de véhicules : pour certaines cibles, aucune classe n’est connue ; leurs valeurs portent sur tous les véhicules.
 report-uncovered-excluded = { $n ->
     [one] 1 mesure est exclue ; le tableau des exclusions en donne la raison.
-   *[other] { $n } mesures sont exclues ; le tableau des exclusions en donne les raisons.
+   *[other] { NUMBER($n) } mesures sont exclues ; le tableau des exclusions en donne les raisons.
  }
 report-uncovered-not-visible = { $n ->
     [one] 1 cible n’était pas visible.
-   *[other] { $n } cibles n’étaient pas visibles.
+   *[other] { NUMBER($n) } cibles n’étaient pas visibles.
  }
 report-uncovered-out-of-date = { $n ->
     [one] 1 hauteur n’est plus à jour : des données dont elle dépend ont été modifiées après son calcul. Elle est incluse sans changement.
-   *[other] { $n } hauteurs ne sont plus à jour : des données dont elles dépendent ont été modifiées après leur calcul. Elles sont incluses sans changement.
+   *[other] { NUMBER($n) } hauteurs ne sont plus à jour : des données dont elles dépendent ont été modifiées après leur calcul. Elles sont incluses sans changement.
  }
 report-uncovered-line-heights = { $n ->
     [one] 1 hauteur validée de balayages : elle figure dans la section sur les balayages.
-   *[other] { $n } hauteurs validées de balayages : elles figurent dans la section sur les balayages.
+   *[other] { NUMBER($n) } hauteurs validées de balayages : elles figurent dans la section sur les balayages.
  }
 report-uncovered-by-lot = { $n ->
     [one] 1 hauteur validée n’a pas été vérifiée individuellement : l’échantillon de son lot l’a été.
-   *[other] { $n } hauteurs validées n’ont pas été vérifiées individuellement : les échantillons de leurs lots l’ont été.
+   *[other] { NUMBER($n) } hauteurs validées n’ont pas été vérifiées individuellement : les échantillons de leurs lots l’ont été.
  }
 report-uncovered-others = Autres routes, autres jours, autre trafic : les intervalles valent pour le trafic qui passe sur ce site.
 report-readme-contents = Contenu de cette archive
@@ -7809,8 +7813,8 @@ report-readme-audit = La chaîne d’audit et sa signature.
 report-readme-check = Pour tout vérifier : sightline verify, avec la clé qu’affiche l’installation. Pour vérifier qu’aucun fichier n’a changé : sha256sum -c SHA256SUMS
 report-error-none = Aucun véhicule n’a de hauteur de référence : les erreurs des hauteurs ne peuvent pas être indiquées.
 report-error-short = Par rapport aux hauteurs de référence de { $n ->
-    [one] { $n } véhicule
-   *[other] { $n } véhicules
+    [one] { NUMBER($n) } véhicule
+   *[other] { NUMBER($n) } véhicules
  }, les toits sont mesurés avec une erreur absolue moyenne de { $mae }{ $mae_interval } et un biais de { $bias }{ $bias_interval }.
 report-rules = Normes : le même centile aujourd’hui. Le centile sur lequel repose une norme, avec son intervalle total à 95 %. « Plus bas » ou « plus haut » est indiqué si le risque d’erreur est d’au plus 2,5 % (JCGM 106).
 report-rule-column = Règle
@@ -7855,7 +7859,7 @@ report-check-targets = { $target }, cibles de contrôle
 
 report-heights = Distributions des hauteurs
 report-heights-none = Pas encore de hauteurs validées.
-report-percentiles = Hauteurs vraies ({ $target }), toutes classes comprises, avec intervalles totaux à 95 % ; véhicules : { $n }.
+report-percentiles = Hauteurs vraies ({ $target }), toutes classes comprises, avec intervalles totaux à 95 % ; véhicules : { NUMBER($n) }.
 report-holds = Hauteurs vraies : l’erreur de mesure aléatoire est retirée de la dispersion. Les intervalles totaux comprennent { $holds }.
 report-absent = Aucune hauteur validée : { $targets }.
 report-percentile = Centile
@@ -7900,12 +7904,12 @@ report-scans-methods = Méthode : { $methods }.
 report-and = { $first } et { $last }
 report-apart = { $first } ; { $second }
 report-scans-direct = { $n ->
-    [one] { $n } véhicule par recalage de ses deux bandes entières (recalage direct)
-   *[other] { $n } véhicules par recalage de leurs deux bandes entières (recalage direct)
+    [one] { NUMBER($n) } véhicule par recalage de ses deux bandes entières (recalage direct)
+   *[other] { NUMBER($n) } véhicules par recalage de leurs deux bandes entières (recalage direct)
  }
 report-scans-paper = { $n ->
-    [one] { $n } véhicule par l’appariement de blocs et la régression linéaire de l’article
-   *[other] { $n } véhicules par l’appariement de blocs et la régression linéaire de l’article
+    [one] { NUMBER($n) } véhicule par l’appariement de blocs et la régression linéaire de l’article
+   *[other] { NUMBER($n) } véhicules par l’appariement de blocs et la régression linéaire de l’article
  }
 report-rigs = Balayages et leurs dispositifs tels que saisis ; u est l’incertitude-type.
 report-line-scan = Balayage
@@ -7921,13 +7925,13 @@ report-strips = bandes, { $lighting }
 report-from-traffic = d’après le trafic
 report-with-u = { $value } (u = { $u })
 report-no-vehicle = Ils ne contiennent aucun véhicule.
-report-left-out-to-review = { $n } non encore vérifiés
-report-left-out-rejected = { $n } rejetés
-report-left-out-not-measurable = { $n } non mesurables
+report-left-out-to-review = { NUMBER($n) } non encore vérifiés
+report-left-out-rejected = { NUMBER($n) } rejetés
+report-left-out-not-measurable = { NUMBER($n) } non mesurables
 report-none-accepted = Aucun véhicule balayé n’est validé.
 report-accepted-count = { $n ->
-    [one] { $n } véhicule validé, sur { $all } détectés.
-   *[other] { $n } véhicules validés, sur { $all } détectés.
+    [one] { NUMBER($n) } véhicule validé, sur { NUMBER($all) } détectés.
+   *[other] { NUMBER($n) } véhicules validés, sur { NUMBER($all) } détectés.
  }
 report-scans-left-out = Exclus : { $states } ; scan_vehicles.csv en donne les motifs.
 report-speed-short = Vitesse moyenne : { $mean } ; vitesse du 85e centile (V85) : { $p85 } { $interval }.
@@ -7943,12 +7947,12 @@ report-quantity-of-headway = temps intervéhiculaire
 report-by-lengths = Base d’après les longueurs : { $reason }
 report-by-wheelbases = Base d’après les empattements : { $reason }
 report-over-lengths = Longueurs mesurées sur longueurs connues de { $n ->
-    [one] { $n } véhicule
-   *[other] { $n } véhicules
+    [one] { NUMBER($n) } véhicule
+   *[other] { NUMBER($n) } véhicules
  } : { $ratio } (u = { $u }). { $verdict }
 report-over-wheelbases = Empattements mesurés sur empattements connus de { $n ->
-    [one] { $n } véhicule
-   *[other] { $n } véhicules
+    [one] { NUMBER($n) } véhicule
+   *[other] { NUMBER($n) } véhicules
  } : { $ratio } (u = { $u }). { $verdict }
 report-baseline-agrees = Le rapport s’écarte de 1 de moins de 2 u : il est compatible avec la base.
 report-sizes-none = Aucun véhicule validé n’a de longueur ni d’empattement connus : leurs erreurs ne peuvent pas être indiquées.
@@ -7971,20 +7975,20 @@ report-length-column = Longueur
 report-true-length = Longueur connue
 report-length-error = Erreur de longueur
 report-fit-error = Erreur d’ajustement
-report-first-of = Les { $shown } premiers sur { $all } ; scan_vehicles.csv les contient tous.
+report-first-of = Les { NUMBER($shown) } premiers sur { NUMBER($all) } ; scan_vehicles.csv les contient tous.
 
 ## Rapport : ce qui a été écarté, comment contrôler
 
 report-left-out = Exclusions
 report-nothing-left-out = Aucune mesure n’est exclue.
 report-left-out-of = { $n ->
-    [one] { $n } mesure est exclue des résultats.
-   *[other] { $n } mesures sont exclues des résultats.
+    [one] { NUMBER($n) } mesure est exclue des résultats.
+   *[other] { NUMBER($n) } mesures sont exclues des résultats.
  } Toutes sont listées dans les fichiers CSV de l’archive.
 report-left-out-first = { $n ->
-    [one] { $n } mesure est exclue des résultats.
-   *[other] { $n } mesures sont exclues des résultats.
- } Les { $shown } premières figurent ici. Toutes sont listées dans les fichiers CSV de l’archive.
+    [one] { NUMBER($n) } mesure est exclue des résultats.
+   *[other] { NUMBER($n) } mesures sont exclues des résultats.
+ } Les { NUMBER($shown) } premières figurent ici. Toutes sont listées dans les fichiers CSV de l’archive.
 report-left-out-table = Mesures exclues des résultats, avec le motif.
 report-number = Numéro
 report-state = État
@@ -7993,8 +7997,8 @@ report-check-words = Ce rapport fait partie d’une archive de fichiers CSV et J
 report-package = ARCHIVE
 report-trail-empty = Le journal d’audit est vide.
 report-trail = Le journal d’audit a { $n ->
-    [one] { $n } événement
-   *[other] { $n } événements
+    [one] { NUMBER($n) } événement
+   *[other] { NUMBER($n) } événements
  } jusqu’au dernier de ce relevé. Chacun porte l’empreinte du précédent ; quiconque a gardé ailleurs l’empreinte de cet événement peut vérifier que rien avant lui n’a été modifié depuis. Cette empreinte est la tête d’audit du relevé, donnée ci-dessous et au pied de chaque page. L’événement suivant, qui scelle cette archive, nomme chaque fichier par son empreinte. Sa propre empreinte est la tête d’audit de l’archive, donnée là où celle-ci a été créée.
 report-checksums = SHA-256 des fichiers de l’archive.
 report-file = Fichier
@@ -8066,21 +8070,21 @@ report-of-study = { $study }, rapport d’étude
 report-study-simulated = <strong>Simulé.</strong> Rien n’a été filmé : les véhicules ont été tirés de parcs connus. Aucune valeur de ce rapport ne décrit de routes réelles.
 report-joined = Réunis
 report-joined-of = { $surveys ->
-    [one] { $surveys } relevé
-   *[other] { $surveys } relevés
+    [one] { NUMBER($surveys) } relevé
+   *[other] { NUMBER($surveys) } relevés
  } sur { $sites ->
-    [one] { $sites } site
-   *[other] { $sites } sites
- } : { $heights } hauteurs validées de { $vehicles ->
-    [one] { $vehicles } véhicule
-   *[other] { $vehicles } véhicules
+    [one] { NUMBER($sites) } site
+   *[other] { NUMBER($sites) } sites
+ } : { NUMBER($heights) } hauteurs validées de { $vehicles ->
+    [one] { NUMBER($vehicles) } véhicule
+   *[other] { NUMBER($vehicles) } véhicules
  }
 report-weighted = Pondérés
 report-not-weighted = non : les véhicules comptent comme ils ont été tirés
 report-fleet-by = selon les parts du parc ({ $margins }), d’après son tableau
 report-target-reason = { $target } : { $reason }.
 report-study-table = Hauteurs au-dessus de la route en { $unit } : hauteurs vraies, pondérées selon le parc quand il a été donné, avec des intervalles totaux à 95 %.
-report-sites-of = { $n } sites
+report-sites-of = { NUMBER($n) } sites
 report-study-note = Les intervalles comprennent l’échantillonnage des véhicules et des sites et les erreurs communes aux hauteurs (pose de la caméra, retrait moyen). L’erreur de mesure aléatoire est retirée des valeurs.
 report-study-note-one-site = Les intervalles comprennent l’échantillonnage des véhicules et des sites et les erreurs communes aux hauteurs (pose de la caméra, retrait moyen). L’erreur de mesure aléatoire est retirée des valeurs. Avec un seul site, ils ne valent que pour celui-ci.
 report-years-table = Comparaison des années : la plus récente moins la première, chacune pondérée séparément, avec des intervalles totaux à 95 %.
@@ -8093,7 +8097,7 @@ report-more-lower = plus bas (significatif)
 report-not-told-apart = pas de différence significative
 report-year-no-interval = pas d’intervalle
 report-verdict-why = { $verdict } ({ $reason })
-report-makers-words = Par rapport aux hauteurs des constructeurs, { $n } toits ont une erreur absolue moyenne de { $mae } (95 % : { $mae_interval }) et un biais de { $bias } (95 % : { $bias_interval }).
+report-makers-words = Par rapport aux hauteurs des constructeurs, { NUMBER($n) } toits ont une erreur absolue moyenne de { $mae } (95 % : { $mae_interval }) et un biais de { $bias } (95 % : { $bias_interval }).
 report-studied = Données
 report-surveys = Les relevés. « Comptées » : hauteurs validées qui comptent selon la règle d’échantillonnage du relevé ; « exclues » : celles de véhicules hors échantillon qui ne comptent pas.
 report-survey-column = Relevé

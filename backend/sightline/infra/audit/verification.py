@@ -165,7 +165,7 @@ def _anchors(session: Session, walk: _Walk) -> None:
     for name in sorted({*noted, *walked}):
         if noted.get(name) != walked.get(name):
             count = walked[name].count if name in walked else 0
-            raise _Problem("audit-chain-ends-elsewhere", chain=name, count=count)
+            raise _Problem("audit-chain-ends-elsewhere", chain=name, number=count)
     for mark, table in walk.marked:
         if isinstance(mark, CarriesHead):
             for row in _read_all_rows(session, table):

@@ -45,7 +45,7 @@ ALIVE_EVERY_S = 5.0
 
 def run_workers(settings: Settings, *, parent: int | None = None, load_handlers: Callable[[], None]) -> None:
     """Supervise worker processes until told to stop (SIGTERM, SIGINT) or until `parent` is gone. Blocks."""
-    with kept_for_good(), ending_with(parent):
+    with ending_with(parent):
         keep_private(settings)
         engine = make_engine(settings.database_url)
         if parent is None:  # a server has looked before it starts its own
@@ -54,7 +54,8 @@ def run_workers(settings: Settings, *, parent: int | None = None, load_handlers:
         migrate(engine)
         require_alike(engine, settings, app=False)
         engine.dispose()
-        load_handlers()
+        with kept_for_good():
+            load_handlers()
     gc.freeze()  # what is never looked at again stays shared with the forked processes
     Supervisor(settings, parent).run()
 

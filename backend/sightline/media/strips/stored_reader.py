@@ -68,7 +68,7 @@ class StripReader:
         Raises NotFound for a level that is not there, Damaged.
         """
         if not 0 <= level < len(self.levels):
-            raise NotFound("strips-no-level", name=self.name, level=level, count=len(self.levels) - 1)
+            raise NotFound("strips-no-level", name=self.name, level=level, last=len(self.levels) - 1)
         start, stop = max(0, start), min(self.levels[level], stop)
         out = np.empty((max(0, stop - start), self.rows), self.dtype)
         for index in range(start // TILE_LINES, -(-stop // TILE_LINES) if stop > start else 0):

@@ -169,4 +169,4 @@ def _key(media: RecordingMedia, n: int, display: Display = "plain") -> str:
 
 def _check(media: RecordingMedia, n: int) -> None:
     if not 0 <= n < len(media):
-        raise NotFound("video-frame-outside", n=n, count=len(media) - 1)
+        raise NotFound("video-frame-outside", n=n, last=len(media) - 1)

@@ -127,7 +127,7 @@ class Stills:
     def _with_frame(self, recording_id: int, n: int) -> OpenRecording:
         opened = self.open(recording_id)
         if not 0 <= n < len(opened.media):
-            raise NotFound("video-frame-outside", n=n, count=len(opened.media) - 1)
+            raise NotFound("video-frame-outside", n=n, last=len(opened.media) - 1)
         return opened
 
     def _read_recording(self, recording_id: int, known: OpenRecording | None) -> OpenRecording:
