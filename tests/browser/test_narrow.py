@@ -34,7 +34,7 @@ def out_of_the_sample_and_at_work(page: Page, survey_id: int) -> None:
     """Every pass is out of the sample, and proposals are being made: as the server would say it."""
     job = {"id": 999, "survey_id": survey_id, "kind": "proposals", "state": "running", "progress": 0.3}
     message = {"code": "proposals-looking", "values": {}, "message": "Searching for points to suggest."}
-    job |= {"message": message, "result": None, "error": None}
+    job |= {"message": message, "result": None, "error": None, "cancellable": True}
 
     def answer(route: Route, change: dict[str, Any]) -> None:
         given = route.fetch()

@@ -53,11 +53,19 @@ def _parts(pattern: ftl.Pattern) -> Parts:
     for element in pattern.elements:
         if isinstance(element, ftl.TextElement):
             parts += _split_marks(element.value.replace("\n", " "))
-        elif isinstance(element.expression, ftl.VariableReference):
-            parts.append({"value": element.expression.id.name})
         elif isinstance(element.expression, ftl.SelectExpression):
             parts.append(_choice(element.expression))
+        else:
+            parts.append({"value": _value_in(element.expression)})
     return parts
+
+
+def _value_in(expression: ftl.InlineExpression | ftl.Placeable) -> str:
+    """The name of a value, one asked for by NUMBER too: the templates write whole numbers as counts."""
+    if isinstance(expression, ftl.FunctionReference):
+        (expression,) = expression.arguments.positional
+    assert isinstance(expression, ftl.VariableReference)
+    return expression.id.name
 
 
 def _split_marks(text: str) -> Parts:
