@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from datetime import date, datetime
 from functools import cache
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, get_args
 
 import pytest
 from fluent.syntax import FluentParser
@@ -17,6 +17,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 import sightline
 from sightline import errors, messages
 from sightline.app import describe
+from sightline.enums import Target
 from sightline.export.package_tables import tables_of
 from sightline.export.page import tables_of_page
 from sightline.geometry.insets import USUAL_INSETS
@@ -187,6 +188,14 @@ def test_each_language_marks_the_same_parts() -> None:
     for language in messages.languages():
         other = marks((PACKAGE / f"messages/{language}.ftl").read_text("utf-8"))
         assert [key for key, parts in other.items() if parts != source[key]] == [], language
+
+
+def test_no_sentence_takes_a_new_target_for_an_old_one() -> None:
+    for language in ("en", "fr"):
+        defaults = re.findall(
+            r"^ *\*\[(\w+)\]", (PACKAGE / f"messages/{language}.ftl").read_text(), re.MULTILINE
+        )
+        assert not set(defaults) & (set(get_args(Target)) - {"other"})
 
 
 def test_every_message_is_said_somewhere() -> None:

@@ -1714,7 +1714,8 @@ measure-unseen-why = { $target ->
     [roof] Why is the roof not visible?
     [driver_eye] Why is the driver’s eye not visible?
     [taillight] Why is the taillight not visible?
-   *[headlight] Why is the headlight not visible?
+    [headlight] Why is the headlight not visible?
+   *[other] Why is it not visible?
 }
 measure-side-unknown = not known
 measure-side-as-survey = survey default
@@ -3454,7 +3455,8 @@ statistics-target-density-note = Corrected heights, Gaussian kernel, pointwise 9
 statistics-share = { $standard }, { $height }: <strong>{ $share }</strong> of { $target ->
     [driver_eye] drivers’ eyes
     [taillight] taillights
-   *[headlight] headlights
+    [headlight] headlights
+   *[other] heights
 } are below <muted>({ $low } to { $high }; measured heights: { NUMBER($below) } of { NUMBER($n) })</muted>
 statistics-compared-title = { $second } compared with { $first }
 statistics-compared-figure = Figure
@@ -3643,7 +3645,8 @@ plan-target = { $target ->
     [driver_eye_far] driver’s eye on the far side
     [taillight] taillight
     [headlight] headlight
-   *[roof] roof
+    [roof] roof
+   *[other] other
 }
 plan-lines-expected = Expected of the default method, from simulated vehicles that fill the image; little texture, strong noise or rain make it worse, and each vehicle’s own uncertainty states what was reached.
 plan-lines-few = Only { $lines } lines lie between the cameras; use a higher line rate or a longer baseline, otherwise this vehicle can hardly be measured.

@@ -1713,7 +1713,8 @@ measure-unseen-why = { $target ->
     [roof] Pourquoi le toit n’est-il pas visible ?
     [driver_eye] Pourquoi l’œil du conducteur n’est-il pas visible ?
     [taillight] Pourquoi le feu arrière n’est-il pas visible ?
-   *[headlight] Pourquoi le projecteur n’est-il pas visible ?
+    [headlight] Pourquoi le projecteur n’est-il pas visible ?
+   *[other] Pourquoi n’est-ce pas visible ?
 }
 measure-side-unknown = inconnu
 measure-side-as-survey = valeur du relevé
@@ -3456,7 +3457,8 @@ statistics-target-density-note = Hauteurs corrigées, noyau gaussien, bande ponc
 statistics-share = { $standard }, { $height } : <strong>{ $share }</strong> des { $target ->
     [driver_eye] yeux de conducteur
     [taillight] feux arrière
-   *[headlight] projecteurs
+    [headlight] projecteurs
+   *[other] hauteurs
 } sont en dessous <muted>({ $low } à { $high } ; hauteurs mesurées : { NUMBER($below) } sur { NUMBER($n) })</muted>
 statistics-compared-title = { $second } comparé à { $first }
 statistics-compared-figure = Grandeur
@@ -3645,7 +3647,8 @@ plan-target = { $target ->
     [driver_eye_far] œil du conducteur du côté éloigné
     [taillight] feu arrière
     [headlight] projecteur
-   *[roof] toit
+    [roof] toit
+   *[other] autre
 }
 plan-lines-expected = Valeurs attendues de la méthode par défaut, d’après des véhicules simulés qui remplissent l’image ; peu de texture, un bruit fort ou la pluie les dégradent, et l’incertitude propre à chaque véhicule indique ce qui est atteint.
 plan-lines-few = Seules { $lines } lignes séparent les caméras ; prenez une cadence plus élevée ou une base plus longue, sinon ce véhicule est à peine mesurable.
