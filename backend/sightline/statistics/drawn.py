@@ -114,7 +114,8 @@ class Drawn:
             if not len(chosen):
                 continue
             rows = slice(None) if len(chosen) == len(design.weight) else chosen
-            sites = _sites(design.site[rows], design.weight[rows])
+            code = compact(design.site[rows])
+            sites = Sites(code, np.bincount(code).astype(np.float64), design.weight[rows])
             part = float(design.weight[rows].sum()) / whole
             j = len(sites.count)
             told = [one.where(rows) for one in shared]
@@ -154,20 +155,16 @@ class Drawn:
         otherwise = mean_variance(np.concatenate(apart), self._kept), self._free
         inner = [one.within(here, otherwise) for one, here in zip(self._strata, apart, strict=True)]
         evens = (residuals(one, self._drawn, self.design.margins) for one in smooth) if smooth else (own,)
-        return max((self._pooled(own, even, inner, height) for even in evens), key=lambda one: one.variance)
+        return max((self._pooled(even, inner, height) for even in evens), key=lambda one: one.variance)
 
-    def _pooled(
-        self, own: Floats, even: Floats, inner: Sequence[tuple[float, float]], height: bool
-    ) -> Sampled:
-        """`sampled` by one smooth influence `even` (N,); inner: what is known within sites of each stratum."""
+    def _pooled(self, even: Floats, inner: Sequence[tuple[float, float]], height: bool) -> Sampled:
+        """`sampled` by one smooth influence `even` (N,); inner: of each stratum, within its sites."""
         variance, squares, shared_seen, inside = 0.0, 0.0, 0.0, 0.0
         for stratum, (here, freedom) in zip(self._strata, inner, strict=True):
             within = here
             if len(stratum.sites.count) > 1 and stratum.seen < 1.0:
                 moved = stratum.moved if height else []
-                found = pooled_variance(
-                    stratum.sites, own[stratum.rows], even[stratum.rows], (), here / stratum.own, moved
-                )
+                found = pooled_variance(stratum.sites, even[stratum.rows], here / stratum.own, moved)
                 here, freedom = (1.0 - stratum.seen) * found.variance + stratum.seen * here, found.freedom
                 within = (1.0 - stratum.seen) * found.within * found.variance + stratum.seen * within
                 shared_seen += stratum.part**2 * (1.0 - stratum.seen) * found.seen
@@ -216,11 +213,6 @@ class Drawn:
         found = self.sampled(influence, height=height)
         low, high = ends_of(found.draws() + np.sqrt(found.unseen) * normal_draws())
         return TotalFigure(value, value + low, value + high)
-
-
-def _sites(site: Ints, weight: Floats) -> Sites:
-    code = compact(site)
-    return Sites(code, np.bincount(code).astype(np.float64), weight)
 
 
 def reorder_design(design: Design, order: Ints | NDArray[np.bool_]) -> Design:
