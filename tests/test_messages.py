@@ -353,6 +353,13 @@ def test_counts_of_five_digits_stand_apart_by_a_narrow_space(language: str) -> N
 
 
 @pytest.mark.parametrize("language", messages.languages())
+def test_every_sentence_asks_for_its_count_with_NUMBER(language: str) -> None:
+    bare = re.compile(r"\{\s*\$count\s*\}")
+    text = SOURCE.with_name(f"{language}.ftl").read_text("utf-8")
+    assert not [key for key, entry in messages.entries(text).items() if bare.search(entry)]
+
+
+@pytest.mark.parametrize("language", messages.languages())
 @pytest.mark.parametrize(
     ("key", "counts"),
     [

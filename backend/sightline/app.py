@@ -20,7 +20,7 @@ import sightline.job_handlers
 from sightline.errors import NotFound
 from sightline.infra.audit import trail
 from sightline.infra.clock_watch import ClockWatch
-from sightline.infra.services import Services, open_services
+from sightline.infra.services import Services
 from sightline.infra.web import error_handlers, pages
 from sightline.infra.web.access import Access
 from sightline.infra.web.ballast import Ballast, RoomForDeleting
@@ -42,7 +42,6 @@ from sightline.people.service import Attempts, Tokens
 from sightline.people.store import get_person
 from sightline.recordings.ingest_job import correct_durations
 from sightline.recordings.uploads.service import recover_uploads
-from sightline.settings import Settings
 from sightline.surveys.members import store as members
 from sightline.surveys.store import demo_survey_id
 from sightline.vehicles.passes.prefetch import prefetch_around_passes
@@ -145,11 +144,9 @@ def describe() -> dict[str, Any]:
     return Api(title=TITLE, version=VERSION, description=DESCRIPTION, routes=[*api_routes()]).openapi()
 
 
-def create_app(settings: Settings | None = None, services: Services | None = None) -> FastAPI:
-    """The web app on an already migrated database. With `services` given, they stay open when it ends."""
-    settings = settings or (services.settings if services else Settings())
-    own = services is None
-    services = services or open_services(settings, serving=True)
+def create_app(services: Services) -> FastAPI:
+    """The web app on an already migrated database. `services` stay open when it ends."""
+    settings = services.settings
     prefetch_around_passes(services)
 
     @asynccontextmanager
@@ -158,8 +155,6 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
         recovering = asyncio.create_task(asyncio.to_thread(_recover, services, app.state.clock, ballast))
         yield
         await recovering
-        if own:
-            services.close()
 
     app = Api(
         title=TITLE,

@@ -8,11 +8,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy import optimize, stats
 
+from sightline.arrays import Ints
 from sightline.messages.said import Said
 from sightline.statistics.deconvolution import noise_of, smooth_density
 from sightline.statistics.distributions import PERCENTILES, share_below
+from sightline.statistics.drawn import Drawn
 from sightline.statistics.shared_errors import SharedErrors
-from sightline.statistics.sites import pooled_variance, sites_of
 from sightline.statistics.survey_design import Design
 from sightline.statistics.total_uncertainty import (
     HeightSample,
@@ -141,16 +142,18 @@ def test_balanced_sites_give_the_students_interval_of_their_means() -> None:
     assert (found.U95_low, found.U95_high) == pytest.approx(expected, abs=4e-5)
 
 
+def of_sites(site: Ints, *shared: SharedErrors) -> Drawn:
+    """Heights (N,) that weigh alike, of some of many sites."""
+    stratum = np.zeros(len(site), np.int64)
+    return Drawn(Design(np.ones(len(site)), stratum, site, np.array([np.inf])), shared)
+
+
 def test_shared_errors_within_sites_are_not_counted_twice_and_across_sites_are_counted() -> None:
     n, u = 600, 0.01
     site = np.arange(n) % 6
-    sites = sites_of(site)
-    assert sites is not None
     influence = sample(n, 5).height_m - 1.16
-    within = pooled_variance(sites, influence, influence, [SharedErrors(site, np.full(n, u))])
-    across = pooled_variance(
-        sites, influence, influence, [SharedErrors(np.zeros(n, np.int64), np.full(n, u))]
-    )
+    within = of_sites(site, SharedErrors(site, np.full(n, u))).sampled(influence)
+    across = of_sites(site, SharedErrors(np.zeros(n, np.int64), np.full(n, u))).sampled(influence)
     assert within.unseen == pytest.approx(0.0, abs=1e-12)
     assert across.unseen == pytest.approx(u**2)
     assert within.freedom == pytest.approx(5.0) or within.freedom > 5.0
@@ -158,10 +161,8 @@ def test_shared_errors_within_sites_are_not_counted_twice_and_across_sites_are_c
 
 def test_sites_of_unequal_size_have_fewer_degrees_of_freedom() -> None:
     site = np.repeat([0, 1, 2, 3], [500, 40, 30, 30])
-    sites = sites_of(site)
-    assert sites is not None
     influence = np.random.default_rng(6).normal(0, 1, 600) + np.array([0.0, 3.0, -3.0, 1.0])[site]
-    assert pooled_variance(sites, influence, influence, ()).freedom < 2.0
+    assert of_sites(site).sampled(influence).freedom < 2.0
 
 
 def test_a_share_moves_with_its_limit_and_holds_the_truth() -> None:

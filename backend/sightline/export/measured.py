@@ -109,7 +109,7 @@ class PackageStatistics:
         return self.of[StatisticsOptions().correction, StatisticsOptions().rounding]
 
 
-def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()) -> PackageStatistics:
+def statistics_of(files: Files) -> PackageStatistics:
     """Statistics of the accepted measurements of a package's selection, from its tables, by correction."""
     filter_ = filter_of(selection_in(files))
     measured, left_out = filter_measured(measured_in(files), filter_)
@@ -119,7 +119,7 @@ def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()
     table = standards_in(files)
     statistics = {}
     for correction, rounding in wanted:
-        chosen = StatisticsOptions(rounding, correction, choices.u_reference_m, choices.own_standards, table)
+        chosen = StatisticsOptions(rounding, correction, standards=table)
         statistics[correction, rounding] = made_of(measured, left_out, filter_, chosen, groupings, {}, {})
     scanned = list(scanned_motions(files))
     return PackageStatistics(

@@ -3,7 +3,6 @@
 import logging
 import threading
 import time
-from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import datetime
 
@@ -24,11 +23,10 @@ class ClockSetBack:
 
 
 class ClockWatch:
-    """Compares the clock with the seconds that went by; asked with every request. `timer` tells seconds."""
+    """Compares the clock with the seconds that went by; asked with every request."""
 
-    def __init__(self, timer: Callable[[], float] = time.monotonic) -> None:
-        self._timer = timer
-        self._ahead_s = types.now().timestamp() - timer()
+    def __init__(self) -> None:
+        self._ahead_s = types.now().timestamp() - time.monotonic()
         self._lock = threading.Lock()
         self.set_back: ClockSetBack | None = None
 
@@ -36,7 +34,7 @@ class ClockWatch:
         """Note and log it if the clock went back since the last look."""
         with self._lock:
             shown = types.now()
-            ahead_s = shown.timestamp() - self._timer()
+            ahead_s = shown.timestamp() - time.monotonic()
             by_s, self._ahead_s = self._ahead_s - ahead_s, ahead_s
             if by_s >= LEAST_S:
                 self._note(shown, by_s)

@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterable
 from pathlib import Path, PurePosixPath
 from typing import TypeVar
 
-from sightline.infra.backup.state import needed_media
 from sightline.infra.database import Session
 from sightline.infra.idempotency.request import beside_request
 from sightline.infra.jobs import registry
@@ -54,8 +53,7 @@ def _let_go_unnoted(services: Services, survey_id: int, key: str, actor: int | N
     """Raises nothing: what the caller met is what is said."""
     try:
         with beside_request(), services.writing() as session:
-            if not needed_media(session, key):
-                let_go(session, survey_id, [key], actor)
+            let_go(session, survey_id, [key], actor)
     except Exception:
         log.exception("%s stays in the media store", key)
 

@@ -1,10 +1,10 @@
 """The catalogue of messages: what is said to a person, by key, in the languages whose file lies here.
 
 `en.ftl` is the source (Project Fluent); the pages read the same files. Code raises keys and values; the
-sentence is made where somebody reads it. Numbers keep all their digits. The thousands of `$count`, and of
-what a sentence asks for with NUMBER, stand apart from 10,000 on, in every language by a narrow space that
-does not break; most others are frames, lines and identifiers. SMALL writes metres as a small length: "14 mm"
-here, inches in the pages of those who read feet.
+sentence is made where somebody reads it. Numbers keep all their digits. The thousands of what a sentence asks
+for with NUMBER, as every count, stand apart from 10,000 on, in every language by a narrow space that does not
+break; most others are frames, lines and identifiers. SMALL writes metres as a small length: "14 mm" here,
+inches in the pages of those who read feet.
 """
 
 from __future__ import annotations
@@ -20,8 +20,6 @@ if TYPE_CHECKING:
 
 Value = str | int | float
 SOURCE = "en"
-#: The one value of sentences that is always a count.
-_COUNT, _COUNTED = "{ $count }", "{ NUMBER($count) }"
 _LEAST_APART, _NARROW = 10_000, "\u202f"
 _MOST_DIGITS = 15
 _LARGEST = 1e13  # Babel writes no larger number with so many digits behind the point
@@ -135,7 +133,7 @@ class _Bundle:
 
         there = files(__name__) / f"{language}.ftl"
         text = there.read_text("utf-8") if there.is_file() else ""
-        self._texts = entries(text.replace(_COUNT, _COUNTED))
+        self._texts = entries(text)
         locale = "en-GB" if language == SOURCE else language
         functions: dict[str, Any] = {"NUMBER": _number(locale), "SMALL": _small_length(locale)}
         self._parsed = FluentBundle([locale], functions=functions, use_isolating=False)

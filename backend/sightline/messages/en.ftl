@@ -181,12 +181,12 @@ sample-measured = Measured
 sample-unseen = Not visible
 sample-outside = { $counts ->
     [yes] { $count ->
-        [one] { $count } pass outside the sample was measured and counts in the results.
-       *[other] { $count } passes outside the sample were measured and count in the results.
+        [one] { NUMBER($count) } pass outside the sample was measured and counts in the results.
+       *[other] { NUMBER($count) } passes outside the sample were measured and count in the results.
     }
    *[no] { $count ->
-        [one] { $count } pass outside the sample was measured and does not count in the results.
-       *[other] { $count } passes outside the sample were measured and do not count in the results.
+        [one] { NUMBER($count) } pass outside the sample was measured and does not count in the results.
+       *[other] { NUMBER($count) } passes outside the sample were measured and do not count in the results.
     }
 }
 sample-outside-counts = Heights measured outside the sample count in the results
@@ -449,7 +449,7 @@ system-database-of = { $kind ->
    *[other] PostgreSQL
   }, { $count ->
     [one] 1 connection in use
-   *[other] { $count } connections in use
+   *[other] { NUMBER($count) } connections in use
   }
 system-media = Videos and images
 system-free = Free on the disk
@@ -469,8 +469,8 @@ system-checkpoints-lead = A checkpoint signs where every audit chain ends. Keep 
 system-checkpoints-loading = the checkpoints
 system-checkpoints-key = Current key
 system-checkpoints-keys-before = { $count ->
-    [one] It replaced { $count } earlier key, which signed it.
-   *[other] It replaced { $count } earlier keys; each signed the next.
+    [one] It replaced { NUMBER($count) } earlier key, which signed it.
+   *[other] It replaced { NUMBER($count) } earlier keys; each signed the next.
   }
 system-checkpoints-none = No checkpoints yet
 system-checkpoints-chains = Chains
@@ -547,7 +547,7 @@ rail-quality = Quality
 rail-results = Results
 app-keys = Keyboard shortcuts
 app-work = Survey steps
-save-waiting = { $count } not yet saved
+save-waiting = { NUMBER($count) } not yet saved
 save-pending = saving…
 save-failed = last change not saved
 save-done = saved { $time }
@@ -565,12 +565,12 @@ menu-sign-out = Sign out
 ## App: while the server cannot be reached
 
 offline-kept = { $count ->
-    [one] { $count } change is kept in this browser and will be saved when the connection is back.
-   *[other] { $count } changes are kept in this browser and will be saved when the connection is back.
+    [one] { NUMBER($count) } change is kept in this browser and will be saved when the connection is back.
+   *[other] { NUMBER($count) } changes are kept in this browser and will be saved when the connection is back.
 }
 offline-changes = { $count ->
-    [one] { $count } change will be saved when the connection is back; keep this page open.
-   *[other] { $count } changes will be saved when the connection is back; keep this page open.
+    [one] { NUMBER($count) } change will be saved when the connection is back; keep this page open.
+   *[other] { NUMBER($count) } changes will be saved when the connection is back; keep this page open.
 }
 offline-next = Retrying in { $seconds } s.
 offline-now = Retrying…
@@ -621,8 +621,8 @@ drift-reason = Reason for keeping the pose
 drift-decide = Keep pose
 drift-look = frame { $frame }: { $moved_px } px, { $change }
 drift-figure = { $untold ->
-    [0] { $count } frames compared with the frames of the camera pose. Largest height error: { $worst } (target { $target } high, distance { $distance }). Shaded band: detection limit.
-   *[other] { $count } frames compared with the frames of the camera pose, { $untold } not usable. Largest height error: { $worst } (target { $target } high, distance { $distance }). Shaded band: detection limit.
+    [0] { NUMBER($count) } frames compared with the frames of the camera pose. Largest height error: { $worst } (target { $target } high, distance { $distance }). Shaded band: detection limit.
+   *[other] { NUMBER($count) } frames compared with the frames of the camera pose, { $untold } not usable. Largest height error: { $worst } (target { $target } high, distance { $distance }). Shaded band: detection limit.
 }
 
 ## Figures: their downloads and marks
@@ -708,7 +708,7 @@ viewer-wrong-frame = The server sent frame { $served } for frame { $frame }, so 
 viewer-slid = Nothing was placed: the pointer moved while the button was down. To move the image, hold Space and drag.
 viewer-changed = Nothing was placed: the image changed while the button was down. Click again.
 viewer-first-corner = first
-timeline-passes = { $count } passes, frames { $first_frame } to { $last_frame }
+timeline-passes = { NUMBER($count) } passes, frames { $first_frame } to { $last_frame }
 timeline-label = Position in the recording
 timeline-decoded = Decoded on the server
 transport-play = Play
@@ -773,8 +773,8 @@ camera-choose-pictures = Choose images of the checkerboard
 camera-drop-pictures = Drop images of the checkerboard here, or click to choose
 camera-drop-hint = Same camera, same zoom and focus. Tilt the board, bring it into every corner, keep it sharp.
 camera-found-in = { $count ->
-    [one] The board was found in <strong>{ $found }</strong> of { $count } image.
-   *[other] The board was found in <strong>{ $found }</strong> of { $count } images.
+    [one] The board was found in <strong>{ $found }</strong> of { NUMBER($count) } image.
+   *[other] The board was found in <strong>{ $found }</strong> of { NUMBER($count) } images.
 }
 camera-too-few = At least three are needed. Twelve to twenty from different sides give a good calibration.
 camera-more-better = Enough to calibrate. Twelve to twenty, with the board tilted and in every corner of the image, give a better result.
@@ -782,16 +782,16 @@ camera-other-board = These images were searched for another board. Search again 
 camera-other-board-markers = These images were searched for another board. Search again for { $columns } × { $rows } inner corners and markers of { $dictionary }.
 camera-look-again = Search again
 camera-to-go = { $count ->
-    [one] { $count } image left
-   *[other] { $count } images left
+    [one] { NUMBER($count) } image left
+   *[other] { NUMBER($count) } images left
 }
 camera-import = Import a calibration file
 camera-import-title = OpenCV YAML or JSON, ROS camera_info, Kalibr, mrcal
 camera-imported = { $file } imported.
 camera-failed = The calibration failed. Try again.
 camera-recording-frames = { $count ->
-    [one] { $recording } ({ $count } frame)
-   *[other] { $recording } ({ $count } frames)
+    [one] { $recording } ({ NUMBER($count) } frame)
+   *[other] { $recording } ({ NUMBER($count) } frames)
 }
 camera-every = Every n-th frame
 camera-first-frame = First frame
@@ -813,8 +813,8 @@ camera-board-flat-hint = On a stiff plate. The result states how flat it is.
 camera-board-bent-hint = Paper on a wall or thin sheet: the board shape is modelled too. Needs 6 views, better 15.
 camera-three-images = Add at least three images that show the board.
 camera-corners-found = { $count ->
-    [one] { $count } corner found in { $image }
-   *[other] { $count } corners found in { $image }
+    [one] { NUMBER($count) } corner found in { $image }
+   *[other] { NUMBER($count) } corners found in { $image }
 }
 camera-remove = Remove { $image }
 camera-found-some = { $found } of { $all } found
@@ -847,12 +847,12 @@ camera-drawing = { $kind ->
    *[checkerboard] A board with { $columns } inner corners across and { $rows } down: the points where four squares meet. The outer edge does not count.
 }
 camera-drawing-columns = { $count ->
-    [one] { $count } column
-   *[other] { $count } columns
+    [one] { NUMBER($count) } column
+   *[other] { NUMBER($count) } columns
 }
 camera-drawing-rows = { $count ->
-    [one] { $count } row
-   *[other] { $count } rows
+    [one] { NUMBER($count) } row
+   *[other] { NUMBER($count) } rows
 }
 camera-drawing-square = square { $side }
 
@@ -877,8 +877,8 @@ camera-residual = RMS reprojection error
 camera-not-told = Not stated
 camera-download = camera.json
 camera-views-used = { $count ->
-    [one] { $used } of { $count } view used
-   *[other] { $used } of { $count } views used
+    [one] { $used } of { NUMBER($count) } view used
+   *[other] { $used } of { NUMBER($count) } views used
 }
 camera-picture = image size
 camera-across = { $model ->
@@ -896,15 +896,15 @@ camera-coverage-unknown = The coverage of the image is not known for this calibr
 camera-coverage = Corners cover { $percent } % of the image.
 camera-coverage-label = Coverage of the image: { $empty } of { $all } parts contain no corner
 camera-coverage-cell = { $count ->
-    [one] { $count } corner
-   *[other] { $count } corners
+    [one] { NUMBER($count) } corner
+   *[other] { NUMBER($count) } corners
 }
 camera-covered = All parts of the image are covered well enough.
 camera-reshoot = Images to add
 camera-residuals = Residuals by view
 camera-left-out = { $count ->
-    [one] { $count } view excluded
-   *[other] { $count } views excluded
+    [one] { NUMBER($count) } view excluded
+   *[other] { NUMBER($count) } views excluded
 }
 camera-no-reason = no reason stated
 camera-residuals-label = Residuals of { $file }, the longest { $longest_px } pixels
@@ -984,8 +984,8 @@ pose-span-take = Use these frames
 pose-not-marked = not marked yet
 pose-end-not-marked = from { $first_frame }, end not marked
 pose-marked = { $count ->
-    [one] { $first_frame } to { $last_frame }, { $count } frame
-   *[other] { $first_frame } to { $last_frame }, { $count } frames
+    [one] { $first_frame } to { $last_frame }, { NUMBER($count) } frame
+   *[other] { $first_frame } to { $last_frame }, { NUMBER($count) } frames
 }
 pose-height = Board height
 pose-reference = Reference row
@@ -1034,8 +1034,8 @@ pose-expected-reason = No U95 at { $distance }. { $reason }
 pose-facts = Frames { $first_frame } to { $last_frame }; residual of the corners { $fit }; board at { $distance }.
 pose-other-recording = another recording
 pose-poses = { $count ->
-    [one] { $count } pose in this survey
-   *[other] { $count } poses in this survey
+    [one] { NUMBER($count) } pose in this survey
+   *[other] { NUMBER($count) } poses in this survey
 }
 pose-made = { $time }, frames { $first_frame } to { $last_frame }
 pose-use-short = Use
@@ -1058,7 +1058,7 @@ recordings-delete-one = Delete { $recording }
 recordings-download-one = Download the video of { $recording }
 recordings-deleted = { $recording } was deleted.
 recordings-vfr-title = Variable frame rate: times come from each frame’s own time stamp
-recordings-picture-read = Video track { $number } of { $count } in the file
+recordings-picture-read = Video track { $number } of { NUMBER($count) } in the file
 recordings-picture-read-too = Import video track { $number } too ({ $codec }, { $size })
 recordings-picture-read-of = Import video track { $number } of { $recording } as a separate recording
 recordings-picture-added = { $name } is being imported.
@@ -1082,15 +1082,15 @@ recordings-rename = Rename
 recordings-rename-one = Rename { $recording }
 recordings-name = Name of the recording
 recordings-frames = { $count ->
-    [one] { $count } frame
-   *[other] { $count } frames
+    [one] { NUMBER($count) } frame
+   *[other] { NUMBER($count) } frames
 }
 recordings-rate = { $rate } frames/s
 recordings-rate-average = { $rate } frames/s on average
 recordings-codec = { $codec } in { $container }
 recordings-passes = { $count ->
     [0] no passes yet
-    [one] { $count } pass
+    [one] { NUMBER($count) } pass
    *[other] { NUMBER($count) } passes
 }
 recordings-sha256 = SHA-256 { $sha256 }
@@ -1264,24 +1264,24 @@ computing-loading = out-of-date heights
 computing-fine = All heights are up to date.
 computing-stale = { $count ->
     [one] One height is out of date: { $causes }.
-   *[other] { $count } heights are out of date: { $causes }.
+   *[other] { NUMBER($count) } heights are out of date: { $causes }.
 }
 computing-in-line-scans = { $count ->
     [one] One of them is in a line scan.
-   *[other] { $count } of them are in line scans.
+   *[other] { NUMBER($count) } of them are in line scans.
 }
 computing-waiting = { $count ->
     [one] One of them has no height yet and will get one.
-   *[other] { $count } of them have no height yet and will get one.
+   *[other] { NUMBER($count) } of them have no height yet and will get one.
 }
 computing-other-program = { $count ->
     [one] One height was computed by another version of Sightline. Computing it again may give the same value.
-   *[other] { $count } heights were computed by another version of Sightline. Computing them again may give the same values.
+   *[other] { NUMBER($count) } heights were computed by another version of Sightline. Computing them again may give the same values.
 }
-computing-cause-pose = { $count } with another camera pose or calibration
-computing-cause-inset = { $count } with another inset
-computing-cause-side = { $count } with another driver’s side
-computing-cause-program = { $count } by another version of Sightline
+computing-cause-pose = { NUMBER($count) } with another camera pose or calibration
+computing-cause-inset = { NUMBER($count) } with another inset
+computing-cause-side = { NUMBER($count) } with another driver’s side
+computing-cause-program = { NUMBER($count) } by another version of Sightline
 computing-start = Compute again
 computing-look = Review and compute again
 computing-which = Which heights
@@ -1292,7 +1292,7 @@ computing-mark-program = Out of date: another version of Sightline computed it.
 computing-nothing-changed = No height changed, so nothing was saved.
 computing-done = { $count ->
     [one] One height computed again.
-   *[other] { $count } heights computed again.
+   *[other] { NUMBER($count) } heights computed again.
 }
 computing-runs = Previous runs
 computing-runs-none = No heights have been computed again in this survey.
@@ -1311,28 +1311,28 @@ computing-show = Show
 computing-shown = shown
 computing-old-new = Old and new values
 computing-summary = { $count ->
-    [one] { $count } height: { $causes }; mean change { $mean }, largest { $largest }.
-   *[other] { $count } heights: { $causes }; mean change { $mean }, largest { $largest }.
+    [one] { NUMBER($count) } height: { $causes }; mean change { $mean }, largest { $largest }.
+   *[other] { NUMBER($count) } heights: { $causes }; mean change { $mean }, largest { $largest }.
 }
 computing-summary-undo = { $count ->
     [one] One height was restored to its previous value.
-   *[other] { $count } heights were restored to their previous values.
+   *[other] { NUMBER($count) } heights were restored to their previous values.
 }
 computing-kept = { $count ->
     [one] One was changed since and stays unchanged.
-   *[other] { $count } were changed since and stay unchanged.
+   *[other] { NUMBER($count) } were changed since and stay unchanged.
 }
 computing-sent = { $count ->
     [0] No height changed by more than its standard uncertainty, so all verdicts remain valid.
     [one] One height changed by more than its standard uncertainty and returns to review; the other verdicts remain valid.
-   *[other] { $count } heights changed by more than their standard uncertainty and return to review; the other verdicts remain valid.
+   *[other] { NUMBER($count) } heights changed by more than their standard uncertainty and return to review; the other verdicts remain valid.
 }
 computing-undo = Undo all
 computing-undo-text = Restores every height of this run to its previous value, as a new revision. Heights changed since then stay unchanged.
 computing-figure = Change of each height
-computing-figure-says = The change of { $count } heights against their distance across the road, in { $small }.
+computing-figure-says = The change of { NUMBER($count) } heights against their distance across the road, in { $small }.
 computing-figure-lines = Change of each height in line scans
-computing-figure-says-lines = The change of { $count } heights in line scans against the distance of their contact from the camera, in { $small }.
+computing-figure-says-lines = The change of { NUMBER($count) } heights in line scans against the distance of their contact from the camera, in { $small }.
 computing-figure-x-lines = contact from the camera ({ $unit })
 computing-line-scan = line scan
 computing-figure-x = contact across the road ({ $unit })
@@ -1348,7 +1348,7 @@ computing-by-u = Change / u
 computing-by-u-help = Change divided by the previous standard uncertainty
 computing-review-yes = to review
 computing-repeat = repeat
-computing-listed = The { $count } largest changes relative to u are listed; the package contains all.
+computing-listed = The { NUMBER($count) } largest changes relative to u are listed; the package contains all.
 computing-table = Old and new heights
 computing-job = the job
 checks-again = Compute again
@@ -1373,18 +1373,18 @@ checks-by-known_heights = manufacturers’ heights
 checks-by-trend = trend with distance
 checks-by-two_frames = two-frame measurements
 checks-measurements = { $count ->
-    [one] { $count } measurement
-   *[other] { $count } measurements
+    [one] { NUMBER($count) } measurement
+   *[other] { NUMBER($count) } measurements
 }
 checks-other-insets = { NUMBER($count) } with a different inset, not used
 checks-estimate = estimate
 checks-vehicles = { $count ->
-    [one] { $count } vehicle
-   *[other] { $count } vehicles
+    [one] { NUMBER($count) } vehicle
+   *[other] { NUMBER($count) } vehicles
 }
 checks-vehicles-without = { $count ->
-    [one] { $count } vehicle
-   *[other] { $count } vehicles
+    [one] { NUMBER($count) } vehicle
+   *[other] { NUMBER($count) } vehicles
 } <without>without { $left_out }</without>
 checks-left-out-help = Outliers: check their clicks and heights.
 checks-spread = { $spread } between vehicles
@@ -1454,8 +1454,8 @@ checks-mean = Mean
 checks-spread-of-vehicles = Between vehicles
 checks-used-vehicles = Used
 checks-used-of = { $count ->
-    [one] { $count } vehicle of { NUMBER($all) }
-   *[other] { $count } vehicles of { NUMBER($all) }
+    [one] { NUMBER($count) } vehicle of { NUMBER($all) }
+   *[other] { NUMBER($count) } vehicles of { NUMBER($all) }
 }
 checks-turned-from = This pose was rotated by { $turned } from pose { $pose }.
 value-u = { $value } (u = { $u })
@@ -1465,8 +1465,8 @@ checks-turned-pose = Rotated pose
 checks-turned-by = Rotated by { $turn }
 checks-turn-no-heights = No stored height uses this pose.
 checks-turn-heights = { $count ->
-    [one] { $count } stored height would differ by up to { $largest } if clicked again. Stored values do not change.
-   *[other] { $count } stored heights would differ by up to { $largest } if clicked again. Stored values do not change.
+    [one] { NUMBER($count) } stored height would differ by up to { $largest } if clicked again. Stored values do not change.
+   *[other] { NUMBER($count) } stored heights would differ by up to { $largest } if clicked again. Stored values do not change.
 }
 checks-differences = Height differences
 checks-vehicle = Vehicle
@@ -1514,8 +1514,8 @@ measure-pass-ends = Pass ends on this frame
 measure-pass-end = …ends here
 measure-pass-drop = Cancel the new pass
 measure-pass-frames = { $count ->
-    [one] { $count } frame
-   *[other] { $count } frames
+    [one] { NUMBER($count) } frame
+   *[other] { NUMBER($count) } frames
 }
 measure-pass-marked = The pass begins at frame { $frame }. Go to its last frame and mark it.
 measure-pass-new = New pass
@@ -1544,8 +1544,8 @@ measure-pass-delete-of = Delete the pass of vehicle { $vehicle }
 measure-pass-delete-title = Delete vehicle { $vehicle }?
 measure-pass-delete-body = { $count ->
     [0] Vehicle { $vehicle } will be deleted. You can undo this.
-    [one] Vehicle { $vehicle } and its { $count } measurement will be deleted. You can undo this.
-   *[other] Vehicle { $vehicle } and its { $count } measurements will be deleted. You can undo this.
+    [one] Vehicle { $vehicle } and its { NUMBER($count) } measurement will be deleted. You can undo this.
+   *[other] Vehicle { $vehicle } and its { NUMBER($count) } measurements will be deleted. You can undo this.
 }
 measure-pass-delete = Delete the pass
 measure-pass-bring-back = Bring the pass back
@@ -1633,7 +1633,7 @@ measure-proposed-contact = Contact
 measure-proposed-accept = { $count ->
     [0] Confirm the contact
     [one] Confirm 1 target
-   *[other] Confirm { $count } targets
+   *[other] Confirm { NUMBER($count) } targets
 }
 measure-proposed-accept-title = Saves the suggested points as measurements, in your name
 measure-proposed-on-frame = Suggestions on frame { $frame }
@@ -1765,12 +1765,12 @@ measure-second-clicked-already = You have already used this frame. Choose anothe
 measure-second-expected = Expected here
 measure-second-expected-at = at { $speed }
 measure-frames-said = { $count ->
-    [one] From { $count } frame
-   *[other] From { $count } frames
+    [one] From { NUMBER($count) } frame
+   *[other] From { NUMBER($count) } frames
 }
 measure-frames-said-inset = { $count ->
-    [one] From { $count } frame; inset { $inset } (u = { $u_inset })
-   *[other] From { $count } frames; inset { $inset } (u = { $u_inset })
+    [one] From { NUMBER($count) } frame; inset { $inset } (u = { $u_inset })
+   *[other] From { NUMBER($count) } frames; inset { $inset } (u = { $u_inset })
 }
 measure-whole-nothing-yet = Measure a target first. Then it can be followed through the pass.
 measure-whole-looking = Following the points through the pass…
@@ -1781,12 +1781,12 @@ measure-whole-frames-used = { $used } of { $all } used
 measure-whole-speed = Speed
 measure-whole-wheelbase = Wheelbase
 measure-whole-dropped = { $count ->
-    [one] { $count } point excluded: { $reason }
-   *[other] { $count } points excluded: { $reason }
+    [one] { NUMBER($count) } point excluded: { $reason }
+   *[other] { NUMBER($count) } points excluded: { $reason }
 }
 measure-whole-look = { $count ->
-    [one] { $count } point was followed. Step through the frames and check that it stays in place.
-   *[other] { $count } points were followed. Step through the frames and check that they stay in place.
+    [one] { NUMBER($count) } point was followed. Step through the frames and check that it stays in place.
+   *[other] { NUMBER($count) } points were followed. Step through the frames and check that they stay in place.
 }
 measure-whole-keep = Save this height
 measure-whole-leave = Cancel
@@ -1808,13 +1808,13 @@ measure-frame-first = first
 measure-frame-remove = Remove frame { $frame }
 measure-frame-remove-this = Remove this frame
 measure-frame-removed = { $count ->
-    [one] Frame { $frame } removed. { $count } frame left.
-   *[other] Frame { $frame } removed. { $count } frames left.
+    [one] Frame { $frame } removed. { NUMBER($count) } frame left.
+   *[other] Frame { $frame } removed. { NUMBER($count) } frames left.
 }
 measure-one-frame = One frame
 measure-all-frames = { $count ->
-    [one] { $count } frame
-   *[other] { $count } frames
+    [one] { NUMBER($count) } frame
+   *[other] { NUMBER($count) } frames
 }
 measure-gain-looking = { $which ->
     [second] Searching for the best second frame…
@@ -1841,10 +1841,10 @@ which-model-title = Models that fit
 which-model-cannot = { $model } does not fit: { $differences } (measured minus catalogue). If the model were right, differences this large would have a probability of { $p }; the limit is { $limit }.
 which-model-ranked = Ranked by { $sizes }. Measured heights are not used for ranking: they are compared with the model later.
 which-model-by-name = No length of this vehicle is measured, so the models of its class come first, then by name. Click both tyres (Checks, Direction) to rank by wheelbase.
-which-model-shown = The first { $shown } of { $count } are shown.
+which-model-shown = The first { $shown } of { NUMBER($count) } are shown.
 which-model-left-out = { $count ->
     [one] 1 model that does not fit the measured sizes is not shown.
-   *[other] { $count } models that do not fit the measured sizes are not shown.
+   *[other] { NUMBER($count) } models that do not fit the measured sizes are not shown.
 }
 model-chosen-by-size = The model was chosen by its sizes ({ $sizes }). Its heights are not used as references until a person confirms the model on the vehicle.
 model-chosen-see = Confirm the model
@@ -1907,7 +1907,7 @@ measure-known-title = Known heights
 measure-known-help = Heights of the eye, the lamps or a mark, from a tape or a data sheet. Errors are computed against them. The roof height is entered above.
 measure-known-some = { $count ->
     [one] 1 known
-   *[other] { $count } known
+   *[other] { NUMBER($count) } known
 }
 measure-known-u = u
 measure-known-source = Source
@@ -2116,8 +2116,8 @@ review-sign = { $sign ->
    *[new_operator] operator with few measurements
 }
 review-own-waiting = { $count ->
-    [one] { $count } of your own measurements waits for another reviewer.
-   *[other] { $count } of your own measurements wait for another reviewer.
+    [one] { NUMBER($count) } of your own measurements waits for another reviewer.
+   *[other] { NUMBER($count) } of your own measurements wait for another reviewer.
 }
 review-neighbours = Neighbouring frames
 review-neighbour = Frame { $frame }
@@ -2130,8 +2130,8 @@ repeats-lead = { $people ->
 }
 repeats-loading = repeatability
 repeats-not-compared = { $count ->
-    [one] { $count } repeat is
-   *[other] { $count } repeats are
+    [one] { NUMBER($count) } repeat is
+   *[other] { NUMBER($count) } repeats are
 } excluded: the camera pose or inset changed, or no height could be computed.
 repeats-click-mine = Repeat 10 of my measurements
 repeats-click-anybodys = Repeat 10 measurements by anyone
@@ -2145,8 +2145,8 @@ repeats-no-result = Repeats are kept separate and do not affect results.
 repeats-to-review = Go to Review
 repeats-target = Target
 repeats-items = { $count ->
-    [one] { $count } item
-   *[other] { $count } items
+    [one] { NUMBER($count) } item
+   *[other] { NUMBER($count) } items
 }
 
 ## Repeats: the table of targets
@@ -2180,13 +2180,13 @@ repeats-sigma = Click uncertainty used
 repeats-sigma-usual = 1 px (default)
 repeats-sigma-own = { $sigma_px } px (from repeats)
 repeats-sigma-from = { $count ->
-    [one] from { $count } repeat, chosen by { $person }
-   *[other] from { $count } repeats, chosen by { $person }
+    [one] from { NUMBER($count) } repeat, chosen by { $person }
+   *[other] from { NUMBER($count) } repeats, chosen by { $person }
 }
 repeats-sigma-use = Use { $sigma_px } px
 repeats-sigma-use-title = { $count ->
-    [one] By the heights of { $count } repeat; existing measurements keep the previous value
-   *[other] By the heights of { $count } repeats; existing measurements keep the previous value
+    [one] By the heights of { NUMBER($count) } repeat; existing measurements keep the previous value
+   *[other] By the heights of { NUMBER($count) } repeats; existing measurements keep the previous value
 }
 repeats-sigma-needs = Needs 10 own repeats
 repeats-sigma-back = Back to 1 px
@@ -2200,7 +2200,7 @@ anchoring-shift = Shift caused by suggestions
 anchoring-goal = Goal: below { $goal }
 anchoring-vehicles = { $count ->
     [one] 1 vehicle
-   *[other] { $count } vehicles
+   *[other] { NUMBER($count) } vehicles
 }
 anchoring-verdict = { $verdict ->
     [met] met: the whole 95 % CI is within the limit
@@ -2217,8 +2217,8 @@ anchoring-counts = With suggestions shown, { $confirmed } heights were confirmed
 repeats-differences-title = Second minus first height, over their mean
 repeats-differences-note = Bars show the expanded uncertainty of the difference (U95). About 95 % of the bars should include zero.
 repeats-differences-label = { $count ->
-    [one] Second minus first height in { $small } over their mean in { $unit }, { $count } repeat
-   *[other] Second minus first height in { $small } over their mean in { $unit }, { $count } repeats
+    [one] Second minus first height in { $small } over their mean in { $unit }, { NUMBER($count) } repeat
+   *[other] Second minus first height in { $small } over their mean in { $unit }, { NUMBER($count) } repeats
 }
 repeats-differences-x = Mean of both heights ({ $unit })
 repeats-differences-y = Difference ({ $unit })
@@ -2228,8 +2228,8 @@ repeats-differences-y = Difference ({ $unit })
 again-loading = the blind repeats
 again-place = <strong>{ $at } of { $of }</strong> <muted>vehicle { $vehicle }, { $target }</muted>
 again-stored = { $count ->
-    [one] { $count } repeat saved
-   *[other] { $count } repeats saved
+    [one] { NUMBER($count) } repeat saved
+   *[other] { NUMBER($count) } repeats saved
 }
 again-stop = Stop
 again-undo = Undo last repeat
@@ -2324,19 +2324,19 @@ scans-fact-video = cut from a video at { $along ->
 } { $cut_1_px } and { $cut_2_px }
 scans-count-none = vehicles not searched yet
 scans-count-vehicles = { $count ->
-    [one] { $count } vehicle
-   *[other] { $count } vehicles
+    [one] { NUMBER($count) } vehicle
+   *[other] { NUMBER($count) } vehicles
 }
 scans-count-to-review = { NUMBER($count) } to review
 scans-count-accepted = { NUMBER($count) } accepted
 scans-count-rejected = { NUMBER($count) } rejected
 scans-count-not-measurable = { NUMBER($count) } not measurable
 scans-count-heights = { $count ->
-    [one] { $count } height
+    [one] { NUMBER($count) } height
    *[other] { NUMBER($count) } heights
 }
 scans-count-heights-to-review = { $count ->
-    [one] { $count } height to review
+    [one] { NUMBER($count) } height to review
    *[other] { NUMBER($count) } heights to review
 }
 
@@ -2634,7 +2634,7 @@ scan-axles-of = { $count ->
         [person] none, corrected by hand
        *[machine] no wheel found
     }
-   *[other] { $count }, { $by ->
+   *[other] { NUMBER($count) }, { $by ->
         [person] corrected by hand
        *[machine] found by Sightline
     }
@@ -2759,8 +2759,8 @@ scan-references-drop = Drop a CSV here
 scan-references-hint = Columns: number (or time: 14:05:32.4), source, speed_kmh, u_speed_kmh; also length_m, u_length_m, wheelbase_m, device, run_of
 scan-references-looking = the file
 scan-references-store = { $count ->
-    [one] Import { $count } line
-   *[other] Import { $count } lines
+    [one] Import { NUMBER($count) } line
+   *[other] Import { NUMBER($count) } lines
 }
 scan-references-done = { $values } reference { $values ->
     [one] value
@@ -2813,8 +2813,8 @@ scan-by-somebody = another user
 
 scan-profile-title = Speed along the vehicle
 scan-profile-says = { $count ->
-    [one] Speed of { $count } block along vehicle { $vehicle } and the fitted motion
-   *[other] Speed of { $count } blocks along vehicle { $vehicle } and the fitted motion
+    [one] Speed of { NUMBER($count) } block along vehicle { $vehicle } and the fitted motion
+   *[other] Speed of { NUMBER($count) } blocks along vehicle { $vehicle } and the fitted motion
 }
 scan-profile-none = No speed profile: the vehicle has no measured motion.
 scan-profile-fitted = Fitted motion
@@ -2822,8 +2822,8 @@ scan-profile-used = Block, used
 scan-profile-left-out = Block, excluded
 scan-profile-note = Each block’s mean speed between the cameras.
 scan-profile-beyond = { $count ->
-    [one] { $count } block lies outside this plot; the CSV contains all.
-   *[other] { $count } blocks lie outside this plot; the CSV contains all.
+    [one] { NUMBER($count) } block lies outside this plot; the CSV contains all.
+   *[other] { NUMBER($count) } blocks lie outside this plot; the CSV contains all.
 }
 scan-profile-x = Time after the front reached camera 1 (s)
 scan-match-title = Registration: strip 2 over strip 1
@@ -2863,8 +2863,8 @@ scan-verdict-reopen = Reopen
 scan-heights = Heights
 scan-heights-camera = camera at { $height }
 scan-heights-older = { $count ->
-    [one] { $count } height of this line scan is outdated: the calibration or an inset changed.
-   *[other] { $count } heights of this line scan are outdated: the calibration or an inset changed.
+    [one] { NUMBER($count) } height of this line scan is outdated: the calibration or an inset changed.
+   *[other] { NUMBER($count) } heights of this line scan are outdated: the calibration or an inset changed.
 }
 scan-heights-no-pose = Heights need the pose of camera 1. Record a rod with marks, or a checkerboard, held upright at two distances in its plane; then click the marks.
 scan-heights-calibrate = Calibrate the height
@@ -2898,8 +2898,8 @@ scan-height-measure-again = { $target ->
    *[other] Measure again: other
 }
 scan-heights-waiting = { $count ->
-    [one] { $count } height to review
-   *[other] { $count } heights to review
+    [one] { NUMBER($count) } height to review
+   *[other] { NUMBER($count) } heights to review
 }
 scan-height-unsaved = not yet saved…
 scan-height-older = Outdated: the calibration or the inset changed. Compute again.
@@ -2982,8 +2982,8 @@ scan-wish-verdict = verdict on vehicle { $vehicle }
 scan-wish-lines = front at line { $front }, rear at line { $rear }
 scan-wish-clicked = clicked at line { $line }, row { $row }
 scan-wish-marks = { $count ->
-    [one] { $count } mark at { $distances }
-   *[other] { $count } marks at { $distances }
+    [one] { NUMBER($count) } mark at { $distances }
+   *[other] { NUMBER($count) } marks at { $distances }
 }
 scan-wish-no-marks = none
 scan-wish-there = in the list
@@ -2991,7 +2991,7 @@ scan-wish-taken-out = removed
 scan-wish-boundaries = boundaries at lines { $lines }
 scan-wish-hubs = wheels at lines { $lines }
 scan-wish-lane = lane { $lane }
-scan-wish-axles = { $count } axles
+scan-wish-axles = { NUMBER($count) } axles
 scan-wish-no-line = none
 scan-wish-nothing-known = none
 
@@ -3027,12 +3027,12 @@ motion-counted-of = { $vehicles } of { $all ->
    *[other] { $scans } line scans
 }; { $left }.
 motion-left-to_review = { $count ->
-    [one] { $count } waits for review
-   *[other] { $count } wait for review
+    [one] { NUMBER($count) } waits for review
+   *[other] { NUMBER($count) } wait for review
 }
 motion-counter-braking = braking
-motion-left-rejected = { $count } rejected
-motion-left-not_measurable = { $count } cannot be measured
+motion-left-rejected = { NUMBER($count) } rejected
+motion-left-not_measurable = { NUMBER($count) } cannot be measured
 motion-heights-target = Target
 motion-heights-mean = Mean
 motion-heights-sd = SD
@@ -3041,8 +3041,8 @@ motion-heights-u95 = Typical U95
 motion-heights-to-review = To review
 motion-heights-rejected = Rejected
 motion-heights-waiting = { $count ->
-    [one] { $count } height waits for a verdict
-   *[other] { $count } heights wait for a verdict
+    [one] { NUMBER($count) } height waits for a verdict
+   *[other] { NUMBER($count) } heights wait for a verdict
 }
 motion-by-lengths = By lengths
 motion-by-wheelbases = By wheelbases
@@ -3082,8 +3082,8 @@ motion-references-shared = About 95 % should be within their combined U95. Vehic
 motion-cars-title = Runs of one car
 motion-cars-note = length and wheelbase must agree from run to run
 motion-cars-runs = { $count ->
-    [one] { $count } run: { $vehicles }.
-   *[other] { $count } runs: { $vehicles }.
+    [one] { NUMBER($count) } run: { $vehicles }.
+   *[other] { NUMBER($count) } runs: { $vehicles }.
 }
 motion-cars-speed = Mean speed { $mean }, SD { $sd }.
 motion-cars-speed-one = Speed { $mean }.
@@ -3109,8 +3109,8 @@ motion-headway = Headway, front to front
 motion-percentile = P{ $percent } = { $value }
 motion-percentile-interval = P{ $percent } = { $value } ({ $low } to { $high })
 motion-spread-says = { $count ->
-    [one] Cumulative distribution of { $count } vehicle; { $percentiles } { $unit }
-   *[other] Cumulative distribution of { $count } vehicles; { $percentiles } { $unit }
+    [one] Cumulative distribution of { NUMBER($count) } vehicle; { $percentiles } { $unit }
+   *[other] Cumulative distribution of { NUMBER($count) } vehicles; { $percentiles } { $unit }
 }
 motion-spread-note = Percentiles in { $unit }, with 95 % intervals: { $percentiles }.
 
@@ -3129,8 +3129,8 @@ flows-loading = the traffic
 flows-table = Traffic of { $scan }
 flows-table-note = Below each value: its standard uncertainty u (k = 1), or its 95 % interval. The interval of a flow assumes independent arrivals. Near: within its U95 of the start or end of the interval, or of a limit of the class; the vehicle may belong to the next. Length classes: the four of England’s trunk road counters.
 flows-unplaced = { $count ->
-    [one] { $count } vehicle was not measured, has no time, and is in no interval.
-   *[other] { $count } vehicles were not measured, have no time, and are in no interval.
+    [one] { NUMBER($count) } vehicle was not measured, has no time, and is in no interval.
+   *[other] { NUMBER($count) } vehicles were not measured, have no time, and are in no interval.
 }
 flows-columns = Columns of the traffic of { $scan }
 flows-columns-flow = Flow
@@ -3147,25 +3147,25 @@ flows-head-occupancy = Occupancy
 flows-head-density = Density
 flows-head-unclassed = No length
 flows-partial = partial
-flows-refused = { $count } not measurable
-flows-near-edge = { $count } near its start or end
-flows-axles = { $axles } axles: { $count }
+flows-refused = { NUMBER($count) } not measurable
+flows-near-edge = { NUMBER($count) } near its start or end
+flows-axles = { $axles } axles: { NUMBER($count) }
 flows-axles-many = 5 or more
-flows-near-limit = { $count } near a limit
+flows-near-limit = { NUMBER($count) } near a limit
 flows-u = u = { $u }
 flows-axis-time = Time of day
 flows-flow = Flow
 flows-flow-of = Flow, { $scan }
-flows-flow-says = Flow in { $count } intervals; maximum { $flow } an hour, from { $time }.
+flows-flow-says = Flow in { NUMBER($count) } intervals; maximum { $flow } an hour, from { $time }.
 flows-flow-note = Thick: flow in intervals of { $minutes } min, over the time observed; thin: its 95 % interval.
 flows-speed = Speed
 flows-speed-of = Speed, { $scan }
-flows-speed-says = Space mean speed in { $count } intervals.
+flows-speed-says = Space mean speed in { NUMBER($count) } intervals.
 flows-speed-note = Thick: space mean speed; thin: 15th to 85th percentile of the speeds.
 flows-speed-none = No interval contains an accepted speed.
 flows-flow-by-density-of = Flow against density, { $scan }
 flows-speed-by-flow-of = Speed against flow, { $scan }
-flows-fundamental-says = Fundamental diagram: { $count } intervals with a speed.
+flows-fundamental-says = Fundamental diagram: { NUMBER($count) } intervals with a speed.
 flows-fundamental-note = Each point is an interval; open points were observed only in part. Density is flow over space mean speed.
 unit-per-hour = 1/h
 unit-per-km = 1/km
@@ -3195,7 +3195,7 @@ statistics-lead = Errors against manufacturers’ heights, and distributions of 
 statistics-loading = the statistics
 statistics-by-size = { $count ->
     [one] 1 roof has no reference height because its model was chosen by its sizes.
-   *[other] { $count } roofs have no reference height because their models were chosen by their sizes.
+   *[other] { NUMBER($count) } roofs have no reference height because their models were chosen by their sizes.
 }
 statistics-counted = { $measurements ->
     [one] { $measurements } measurement
@@ -3234,8 +3234,8 @@ statistics-to-review = Go to Review
 statistics-show-to-review = Include unreviewed
 statistics-to-measure = Measure vehicles
 statistics-none-accepted = { $count ->
-    [one] Only accepted measurements count, and { $count } measurement waits for review.
-   *[other] Only accepted measurements count, and { $count } measurements wait for review.
+    [one] Only accepted measurements count, and { NUMBER($count) } measurement waits for review.
+   *[other] Only accepted measurements count, and { NUMBER($count) } measurements wait for review.
 }
 statistics-none-filtered = No measurements match the filter. Clear or change it.
 statistics-none = Measure vehicles and have them reviewed; their figures then appear here.
@@ -3269,8 +3269,8 @@ statistics-rounding-cm = whole cm (Dupuis et al.)
 statistics-rounding-none = not rounded
 statistics-filter-surveys = Surveys
 statistics-filter-surveys-some = { $count ->
-    [one] { $count } survey
-   *[other] { $count } surveys
+    [one] { NUMBER($count) } survey
+   *[other] { NUMBER($count) } surveys
 }
 statistics-filter-surveys-none = all surveys
 statistics-filter-surveys-help = Surveys to include. None selected: all.
@@ -3288,7 +3288,7 @@ stat-variance-shares-need = Shares of the variance need at least { $least } vehi
 stat-errors-alike = All errors are the same; there is no variance to divide.
 stat-reference-explains-all = The reference heights’ own uncertainty explains all of the errors’ variance: nothing remains for the measurement.
 stat-reference-explains = The reference heights’ own uncertainty explains { $share } % of the errors’ variance; { SMALL($camera_sd_m, digits: 0) } remain for the measurement.
-stat-shifted = The mean signed error of { $count } vehicles of known height, { SMALL($mean_m, digits: 1) }, was subtracted from every height (as in Dupuis et al.).
+stat-shifted = The mean signed error of { NUMBER($count) } vehicles of known height, { SMALL($mean_m, digits: 1) }, was subtracted from every height (as in Dupuis et al.).
 stat-by-inset = Each height is corrected by the inset of its measurement; no other correction is made.
 stat-correction-needs = This correction needs at least { $least } vehicles with a reference height; { stat-there-are }.
 stat-known-alike = The vehicles of known height are all of one height, so their error has no trend with it.
@@ -3318,20 +3318,20 @@ stat-alone = { $part } alone
 stat-too-few-errors = too few different errors for a bootstrap interval
 stat-no-value = No vehicle has this value.
 stat-group-empty = no vehicle in this group
-stat-regressed = The error’s regression on the measured height of { $count } vehicles ({ SMALL($intercept_m, digits: 1) } at height 0 and { $slope } mm more per m) was subtracted from every height.
+stat-regressed = The error’s regression on the measured height of { NUMBER($count) } vehicles ({ SMALL($intercept_m, digits: 1) } at height 0 and { $slope } mm more per m) was subtracted from every height.
 stat-extrapolated = { $outside } % of the heights lie outside the { NUMBER($low_m, minimumFractionDigits: 2) } to { NUMBER($high_m, minimumFractionDigits: 2) } m of the regression; the correction extrapolates there and is not reliable.
 stat-there-are = { $count ->
     [0] there is none
-    [one] there is { $count }
-   *[other] there are { $count }
+    [one] there is { NUMBER($count) }
+   *[other] there are { NUMBER($count) }
 }
 stat-too-few = { $count ->
-    [one] { $count } vehicle is too few for an interval; { $needed } are needed
-   *[other] { $count } vehicles are too few for an interval; { $needed } are needed
+    [one] { NUMBER($count) } vehicle is too few for an interval; { $needed } are needed
+   *[other] { NUMBER($count) } vehicles are too few for an interval; { $needed } are needed
 }
 stat-too-few-of-spread = { $count ->
-    [one] { $count } vehicle is too few for an interval of MAE, RMSE and SD; { $needed } are needed
-   *[other] { $count } vehicles are too few for an interval of MAE, RMSE and SD; { $needed } are needed
+    [one] { NUMBER($count) } vehicle is too few for an interval of MAE, RMSE and SD; { $needed } are needed
+   *[other] { NUMBER($count) } vehicles are too few for an interval of MAE, RMSE and SD; { $needed } are needed
 }
 stat-holding-sites = { $parts }; they apply to roads like those of these sites
 stat-holding-place = { $parts }; they apply to the site of the survey only
@@ -3371,7 +3371,7 @@ statistics-bland-altman = Bland and Altman: limits of agreement { $lower } ({ $l
 
 ## Samples: files to try with
 
-samples-pictures = To try: { $count } laboratory images as a ZIP (unpack it; the board has { $columns } × { $rows } inner corners, squares of { $square })
+samples-pictures = To try: { NUMBER($count) } laboratory images as a ZIP (unpack it; the board has { $columns } × { $rows } inner corners, squares of { $square })
 samples-clip = To try: the demonstration’s clip
 samples-catalogue = To try: a catalogue of invented models
 
@@ -3411,8 +3411,8 @@ statistics-signed-error = Signed error ({ $unit })
 statistics-density-y = Share of vehicles (% per { $unit })
 statistics-trend-title = Error against manufacturer’s height
 statistics-trend-says = Signed error over the manufacturer’s height of { $count ->
-    [one] { $count } vehicle
-   *[other] { $count } vehicles
+    [one] { NUMBER($count) } vehicle
+   *[other] { NUMBER($count) } vehicles
 }.
 statistics-trend-nothing = Nothing to draw: no vehicle has a reference height.
 statistics-trend-x = Manufacturer’s height ({ $unit })
@@ -3423,29 +3423,29 @@ statistics-trend-absolute = Absolute error: r = { $correlation }.
 ## Statistics: one target
 
 statistics-heights = { $count ->
-    [one] { $count } height
-   *[other] { $count } heights
+    [one] { NUMBER($count) } height
+   *[other] { NUMBER($count) } heights
 }
 statistics-heights-mean = { $count ->
-    [one] { $count } height, corrected mean { $mean }
-   *[other] { $count } heights, corrected mean { $mean }
+    [one] { NUMBER($count) } height, corrected mean { $mean }
+   *[other] { NUMBER($count) } heights, corrected mean { $mean }
 }
 statistics-heights-mean-sd = { $count ->
-    [one] { $count } height, corrected mean { $mean }, SD { $sd }
-   *[other] { $count } heights, corrected mean { $mean }, SD { $sd }
+    [one] { NUMBER($count) } height, corrected mean { $mean }, SD { $sd }
+   *[other] { NUMBER($count) } heights, corrected mean { $mean }, SD { $sd }
 }
 statistics-curve-raw = uncorrected
 statistics-curve-corrected = corrected
 statistics-legend-raw = uncorrected (inset = 0)
 statistics-target-ecdf-title = { $target }, cumulative
 statistics-target-ecdf-says = Cumulative distribution of { $target } heights, uncorrected and corrected, { $count ->
-    [one] { $count } vehicle
-   *[other] { $count } vehicles
+    [one] { NUMBER($count) } vehicle
+   *[other] { NUMBER($count) } vehicles
 }
 statistics-target-ecdf-note = Band: 95 %, simultaneous (DKW).
 statistics-target-ecdf-away = { $count ->
-    [one] { $count } standard off scale.
-   *[other] { $count } standards off scale.
+    [one] { NUMBER($count) } standard off scale.
+   *[other] { NUMBER($count) } standards off scale.
 }
 statistics-target-nothing = Nothing to draw: no heights of this target match the filter.
 statistics-height-x = Height above the road ({ $unit })
@@ -3505,8 +3505,8 @@ statistics-percentiles-true = True heights ({ $unit })
 statistics-percentiles-total = True heights: random measurement error is removed from the spread. Their 95 % intervals include { $words }.
 statistics-percentiles-note = The other 95 % intervals cover sampling only.
 statistics-percentiles-without = { $count ->
-    [one] Why { $count } percentile has no interval
-   *[other] Why { $count } percentiles have no interval
+    [one] Why { NUMBER($count) } percentile has no interval
+   *[other] Why { NUMBER($count) } percentiles have no interval
 }
 statistics-percentiles-reason = { $percentiles }: { $reason }.
 
@@ -3515,7 +3515,7 @@ statistics-percentiles-reason = { $percentiles }: { $reason }.
 statistics-lateral-title = Lateral position
 statistics-lateral-note = Distance of the tyre contact from the camera, measured across the road; one value per vehicle, the median of its contacts. A lane is all traffic that travels one way in the frame.
 statistics-lateral-figure = Lateral position by lane
-statistics-lateral-says = Cumulative distributions of the distance from the camera across the road, of { $count } lanes.
+statistics-lateral-says = Cumulative distributions of the distance from the camera across the road, of { NUMBER($count) } lanes.
 statistics-lateral-x = Distance from the camera across the road ({ $unit })
 statistics-lateral-none = No vehicle has a direction yet, so there are no lanes. The pass search sets it; you can also set it in the vehicle record.
 statistics-lateral-vehicles = Vehicles
@@ -3551,8 +3551,8 @@ statistics-groups-says = Cumulative distributions of { $target } heights by { $g
     [site] site
    *[operator] operator
 }, { $count ->
-    [one] { $count } group
-   *[other] { $count } groups
+    [one] { NUMBER($count) } group
+   *[other] { NUMBER($count) } groups
 }
 statistics-groups-note = The { NUMBER($count) } largest of { NUMBER($all) } groups; the table lists { NUMBER($listed) }.
 statistics-groups-nothing = { $grouping ->
@@ -3901,17 +3901,17 @@ survey-traffic-unsaid = The traffic side and the camera position are not set. Ey
 survey-traffic-say = Set
 overview-calibrated = { $count ->
     [one] 1 camera calibrated.
-   *[other] { $count } cameras calibrated.
+   *[other] { NUMBER($count) } cameras calibrated.
 }
 overview-calibrate = Calibrate the camera from images of the checkerboard, or import a calibration.
 overview-add-camera = Add a camera and calibrate it.
 overview-ready = { $all ->
-    [one] { $count } of 1 recording ready.
-   *[other] { $count } of { NUMBER($all) } recordings ready.
+    [one] { NUMBER($count) } of 1 recording ready.
+   *[other] { NUMBER($count) } of { NUMBER($all) } recordings ready.
 }
 overview-confirm = { $count ->
     [one] Confirm lighting and start of 1 recording.
-   *[other] Confirm lighting and start of { $count } recordings.
+   *[other] Confirm lighting and start of { NUMBER($count) } recordings.
 }
 overview-not-imported = A recording could not be imported; see its reason and upload another.
 overview-importing = Wait until the recording has been imported.
@@ -3919,84 +3919,84 @@ overview-drop-video = Drop the day’s video here.
 overview-posed = Every recording has its camera pose.
 overview-mark-board = { $count ->
     [one] Mark the frames with the board at rest in 1 recording.
-   *[other] Mark the frames with the board at rest in { $count } recordings.
+   *[other] Mark the frames with the board at rest in { NUMBER($count) } recordings.
 }
 overview-mark-board-later = Mark the frames with the board at rest, once a recording is ready.
 overview-find-vehicles = Find the vehicles and measure the targets of the survey on each.
 overview-measured = { $count ->
     [one] The vehicle is measured or not visible.
-   *[other] All { $count } vehicles are measured or not visible.
+   *[other] All { NUMBER($count) } vehicles are measured or not visible.
 }
 overview-measure = { $count ->
     [one] Measure { NUMBER($left) } of 1 vehicle.
-   *[other] Measure { NUMBER($left) } of { $count } vehicles.
+   *[other] Measure { NUMBER($left) } of { NUMBER($count) } vehicles.
 }
 overview-not-visible = { $count ->
     [one] 1 target not visible.
-   *[other] { $count } targets not visible.
+   *[other] { NUMBER($count) } targets not visible.
 }
 overview-review = { $count ->
     [one] Review 1 measurement.
-   *[other] Review { $count } measurements.
+   *[other] Review { NUMBER($count) } measurements.
 }
 overview-review-line-heights = { $count ->
     [one] Review 1 height of line scans.
-   *[other] Review { $count } heights of line scans.
+   *[other] Review { NUMBER($count) } heights of line scans.
 }
 overview-remeasure = { $count ->
     [one] Remeasure 1 rejected measurement.
-   *[other] Remeasure { $count } rejected measurements.
+   *[other] Remeasure { NUMBER($count) } rejected measurements.
 }
 overview-remeasure-line-heights = { $count ->
     [one] Remeasure 1 rejected height of line scans.
-   *[other] Remeasure { $count } rejected heights of line scans.
+   *[other] Remeasure { NUMBER($count) } rejected heights of line scans.
 }
 overview-accepted = Accepted: { $count ->
     [one] 1 measurement
-   *[other] { $count } measurements
+   *[other] { NUMBER($count) } measurements
 }, { $scans ->
     [one] 1 height of line scans.
    *[other] { NUMBER($scans) } heights of line scans.
 }
 overview-reviewed = { $count ->
     [one] 1 measurement reviewed.
-   *[other] { $count } measurements reviewed.
+   *[other] { NUMBER($count) } measurements reviewed.
 }
 overview-nothing-to-review = Nothing to review yet.
 overview-packages = { $count ->
     [one] 1 package built.
-   *[other] { $count } packages built.
+   *[other] { NUMBER($count) } packages built.
 }
 overview-build-package = Build the package of results.
 overview-no-scans = None here. Two line cameras at a known baseline give speed, length and gaps.
 overview-scans-not-imported = { $count ->
     [one] 1 line scan could not be imported; see the reason and try again.
-   *[other] { $count } line scans could not be imported; see the reason and try again.
+   *[other] { NUMBER($count) } line scans could not be imported; see the reason and try again.
 }
 overview-scans-importing = { $count ->
     [one] 1 line scan still being imported.
-   *[other] { $count } line scans still being imported.
+   *[other] { NUMBER($count) } line scans still being imported.
 }
 overview-scans-find = { $count ->
     [one] Find the vehicles of 1 line scan.
-   *[other] Find the vehicles of { $count } line scans.
+   *[other] Find the vehicles of { NUMBER($count) } line scans.
 }
 overview-scans-review = { $count ->
     [one] Review { NUMBER($open) } of 1 vehicle.
-   *[other] Review { NUMBER($open) } of { $count } vehicles.
+   *[other] Review { NUMBER($open) } of { NUMBER($count) } vehicles.
 }
 overview-scans-review-heights = { $count ->
     [one] Review { NUMBER($open) } of 1 height.
-   *[other] Review { NUMBER($open) } of { $count } heights.
+   *[other] Review { NUMBER($open) } of { NUMBER($count) } heights.
 }
 overview-scans-accepted = { $all ->
-    [one] { $count } of 1 detected vehicle accepted.
-   *[other] { $count } of { NUMBER($all) } detected vehicles accepted.
+    [one] { NUMBER($count) } of 1 detected vehicle accepted.
+   *[other] { NUMBER($count) } of { NUMBER($all) } detected vehicles accepted.
 }
-overview-scans-not-measurable = { $count } cannot be measured; see their reasons.
+overview-scans-not-measurable = { NUMBER($count) } cannot be measured; see their reasons.
 overview-line-heights-accepted = { $all ->
-    [one] { $count } of 1 height accepted.
-   *[other] { $count } of { NUMBER($all) } heights accepted.
+    [one] { NUMBER($count) } of 1 height accepted.
+   *[other] { NUMBER($count) } of { NUMBER($all) } heights accepted.
 }
 survey-scans-none = <link>Line scans</link>: { $summary }
 survey-scans-label = Line scans, separate from these steps
@@ -4059,7 +4059,7 @@ photographs-title = Photographs of the set-up
 photographs-help = The rig, the road, the board in place. Shown in the report and the package.
 photographs-choose = Choose photographs to add
 photographs-drop = Drop photographs here, or click to choose
-photographs-adding = Adding { $count }…
+photographs-adding = Adding { NUMBER($count) }…
 photographs-hint = JPEG, PNG, WebP or TIFF. Resized to 1600 px; location data removed.
 photographs-open = Open { $photograph }
 photographs-what = What it shows
@@ -4108,12 +4108,12 @@ studies-not-computed = not computed
 study-loading = the study
 study-simulated = simulated
 study-none-counts = { $name } has no accepted height that counts; it does not contribute.
-study-versions = Packages come from { $count } versions with identical tables: { $versions }.
+study-versions = Packages come from { NUMBER($count) } versions with identical tables: { $versions }.
 study-one-site = One site: the intervals apply to that site only.
-study-outside-sample = { $count } accepted heights are of vehicles outside their survey’s sample; they do not count.
-study-without-class = { $count } heights of { $target } have no class of the fleet; they do not count.
+study-outside-sample = { NUMBER($count) } accepted heights are of vehicles outside their survey’s sample; they do not count.
+study-without-class = { NUMBER($count) } heights of { $target } have no class of the fleet; they do not count.
 study-all-simulated = Simulated: no value describes real roads.
-study-some-simulated = { $count } of { NUMBER($surveys) } surveys are simulated: no value of this study describes real roads.
+study-some-simulated = { NUMBER($count) } of { NUMBER($surveys) } surveys are simulated: no value of this study describes real roads.
 study-heights-needed = at least { $least } heights are needed
 study-no-weights = no weights meet all shares of the fleet at once
 study-one-site-of-stratum = { $stratum } has one site: join it with another stratum, because differences between sites need two
@@ -4268,8 +4268,8 @@ account-password-present = Current password
 account-password-new = New password
 account-password-hint = At least { NUMBER($least) } characters. Several words in a row are easy to remember.
 account-password-short = { $count ->
-    [one] { $count } character; at least { NUMBER($least) } are needed.
-   *[other] { $count } characters; at least { NUMBER($least) } are needed.
+    [one] { NUMBER($count) } character; at least { NUMBER($least) } are needed.
+   *[other] { NUMBER($count) } characters; at least { NUMBER($least) } are needed.
 }
 account-password-again = Confirm new password
 account-password-differs = The passwords differ. Enter the new password twice.
@@ -4385,8 +4385,8 @@ audit-hash-first = { $hash }, first event
 audit-check = Check the chain
 audit-whole-title = The chain is intact
 audit-whole = { $count ->
-    [one] { $count } event checked; the last hash is <code>{ $hash }</code>.
-   *[other] { $count } events checked; the last hash is <code>{ $hash }</code>.
+    [one] { NUMBER($count) } event checked; the last hash is <code>{ $hash }</code>.
+   *[other] { NUMBER($count) } events checked; the last hash is <code>{ $hash }</code>.
 }
 audit-event-missing = Audit event { $number } of { $chain } is missing; restore a backup.
 audit-event-changed = Audit event { $number } of { $chain } was changed after it was written; restore a backup.
@@ -4691,7 +4691,7 @@ height-pass-few-frames = The { $point ->
         [contact] contact
         [second_contact] second contact
        *[target] target
-    } was followed on { $count } usable frames; { $needed } are needed.
+    } was followed on { NUMBER($count) } usable frames; { $needed } are needed.
 height-pass-short = The { $point ->
         [contact] contact
         [second_contact] second contact
@@ -4776,11 +4776,11 @@ drift-moved-height = { $how ->
    *[drifted] The camera drifted
  } at { $clock } (frame { $frame }) by { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (height error up to { SMALL($error_m, digits: 0) } on the nearest road in the picture, different at other distances), frames { $first } to { $last }.
 drift-more = { $count ->
-    [one] { $count } more movement.
-   *[other] { $count } more movements.
+    [one] { NUMBER($count) } more movement.
+   *[other] { NUMBER($count) } more movements.
   }
 drift-near = The height errors are those of a target { $target_m } m high, { $distance_m } m across from the camera.
-drift-few-points = Only { $count } background points were found again, or all of them in one part of the frame; it is too dark, covered, or another view.
+drift-few-points = Only { NUMBER($count) } background points were found again, or all of them in one part of the frame; it is too dark, covered, or another view.
 drift-no-frame = No frame was checked.
 drift-no-such-frame = The recording has no such frame.
 drift-nothing-in-pose-frame = The frame of the camera pose has nothing that can be followed; it is too dark or has too little contrast.
@@ -4793,7 +4793,7 @@ drift-no-target = No target { $target_m } m high on the road between 3 and 12 m 
 cameras-charuco-incomplete = A ChArUco board needs the dictionary of its markers, the marker side and the square size; give all three.
 cameras-checkerboard-without-markers = A checkerboard has no markers; choose ChArUco as the kind of board, or leave out dictionary and marker.
 cameras-frames-outside = Frames { $first } to { $last } are not in the recording; it has frames 0 to { $frame_count }.
-cameras-too-many-views = Every { $every }th frame gives { $count } views; take every { $least }th frame or fewer frames.
+cameras-too-many-views = Every { $every }th frame gives { NUMBER($count) } views; take every { $least }th frame or fewer frames.
 cameras-not-text = { $file_name } is not a text file; choose a calibration as YAML, JSON or cameramodel.
 cameras-not-a-file = { $path } is not a file; give image files or a clip.
 cameras-still-without-tracks = { $path } is an image, not a video with tracks; leave --stream out.
@@ -4879,7 +4879,7 @@ backup-damaged-none-before = { $problem } No backup was made; { $folder } has no
 backup-no-earlier = { $folder } contains one backup only; leave out --earlier.
 backup-media-missing = { $count ->
     [one] The backup is complete, but a media file that the database refers to is not in the media store: { $names }
-   *[other] The backup is complete, but { $count } media files that the database refers to are not in the media store, such as { $names }
+   *[other] The backup is complete, but { NUMBER($count) } media files that the database refers to are not in the media store, such as { $names }
  }; look for it in an earlier backup.
 
 commands-no-database = There is no database at { $path }; name its folder with --data-dir.
@@ -4914,7 +4914,7 @@ export-format-not-known = The package has format { $format }, which this version
 export-made-by-another-version = Made by version { $program }; this is { $mine }.
 export-described-otherwise = datapackage.json lists every file with its size and hash; its descriptions of { $count ->
     [one] one file
-   *[other] { $count } files
+   *[other] { NUMBER($count) } files
   } (and: { $names }) are those of that version; covered by the seal, not compared.
 export-statistics-sealed-only = Statistics differ from those of this version because another version computed them; covered by the seal, not compared (first difference: { $difference })
 export-drawings-sealed-only = Figures, report and README were made by another version; covered by the seal, not compared.
@@ -4922,7 +4922,7 @@ export-page-sealed-only = The page was made by another version: its tables were 
 export-words-sealed-only = Reasons and flags were put into words by another version: their codes were compared; the words are covered by the seal, not compared.
 export-heights-of-another-version = { $count ->
     [one] One number that another version computed differs
-   *[other] { $count } numbers that other versions computed differ
+   *[other] { NUMBER($count) } numbers that other versions computed differ
   } from what this version computes; covered by the audit chain, not compared (first: { $first })
 export-statistics-file-added = { $strange } does not follow from these statistics; it was added.
 export-crop-added = { $there } is in no row of crops.csv; it was added.
@@ -4938,14 +4938,14 @@ export-too-rows-changed = { $path } has too { $value } rows; it was changed.
 export-drawn-file-differs = { $path } is not what these rows and statistics give; it was replaced.
 export-line-differs = { $path }, line { $at }: { $name } states { $told }, the rows give { $found }; one is wrong.
 export-crop-missing = { $path } is missing or named twice in crops.csv; get the complete package again.
-export-head-too-short = The audit head is too short ({ $count } characters). Enter at least { $least_of_head }.
+export-head-too-short = The audit head is too short ({ NUMBER($count) } characters). Enter at least { $least_of_head }.
 export-head-differs = audit.csv ends with { $head }, not with the given audit head: it was rewritten, or this is another package.
 export-no-checksums = There is no { $checksums }, so this is not a complete package; export the survey again.
 export-package-is-inside = The package is one level down, in { $inner }; give that.
 export-read-only = { $folder } cannot be written. Every package is recorded in the audit trail; copy the folder to a disk that can be written, and export from there.
 export-stray-files = { $count ->
     [one] The system put a file beside those of the package: { $names }
-   *[other] The system put { $count } files beside those of the package: { $names }
+   *[other] The system put { NUMBER($count) } files beside those of the package: { $names }
  }. Delete what is named here and check again; no file of the package has been looked at yet.
 export-zip-in-zip = { $place } contains { $inner }; unpack it and give that.
 export-checksums-no-list = { $checksums } is not a list of hashes: it was changed or cut off after the export; get the complete package again.
@@ -4994,7 +4994,7 @@ geometry-matrix-form = { $file_name }: the camera matrix must be 3x3 with 0 0 1 
 geometry-matrix-skew = { $file_name }: the camera matrix has a skew, which is not supported; calibrate without.
 geometry-camera-not-named = { $file_name } contains no camera '{ $which }'; it contains { $cameras }.
 geometry-key-written-twice = { $file_name } contains the key “{ $key }” twice; keep the right one.
-geometry-rows-contradict = { $file_name }: { $what } states { $rows } rows and { $columns } columns but contains { $count } numbers; export the file again.
+geometry-rows-contradict = { $file_name }: { $what } states { $rows } rows and { $columns } columns but contains { NUMBER($count) } numbers; export the file again.
 geometry-camera-not-calibrated = { $file_name }: the camera matrix is all 0, so the camera was not calibrated; calibrate it first.
 geometry-roi-contradicts-size = { $file_name }: the part of the image (roi) does not fit the image’s size; give the camera_info of whole images.
 geometry-focal-implausible = { $file_name }: a focal length of { $focal } is not plausible for images { $width } px wide; it must be in pixels.
@@ -5002,18 +5002,18 @@ geometry-lens-turns-back = { $file_name }: with these distortion coefficients th
 geometry-model-unsupported = { $file_name }: the camera model '{ $camera_model }' is not supported; calibrate as pinhole.
 geometry-intrinsics-count = { $file_name }: intrinsics must be four numbers, fu fv pu pv.
 geometry-lens-unsupported = { $file_name }: the lens model { $word } is not supported; convert it with mrcal-convert-lensmodel to LENSMODEL_OPENCV8.
-geometry-needs-intrinsics-file = { $file_name }: { $word } needs { $value } intrinsics, the file has { $count }.
+geometry-needs-intrinsics-file = { $file_name }: { $word } needs { $value } intrinsics, the file has { NUMBER($count) }.
 geometry-no-image-size = { $file_name } does not state the image size; add image_width and image_height to it.
 geometry-focal-not-positive = { $file_name }: the focal lengths must be positive numbers of pixels.
 geometry-principal-point-outside = { $file_name }: the principal point lies far outside the image; correct the image size.
 geometry-thin-prism = { $file_name }: thin-prism and tilt coefficients are not supported; calibrate with at most eight.
-geometry-distortion-count = { $file_name }: { $count } distortion coefficients; 4, 5 or 8 are supported.
+geometry-distortion-count = { $file_name }: { NUMBER($count) } distortion coefficients; 4, 5 or 8 are supported.
 geometry-camera-unreadable = { $file_name } is not a readable camera file; give OpenCV YAML or JSON, ROS camera_info, a Kalibr camchain or a mrcal .cameramodel.
 geometry-not-numbers = { $file_name }: { $what } is not a list of numbers; export the file again.
 geometry-size-not-two = { $file_name }: the image size must be two numbers, width and height.
 geometry-camera-info-binned = { $file_name }: { $key } is { $data }; give the camera_info of unbinned images.
-geometry-fisheye-count = { $file_name }: a fisheye model needs four coefficients, the file has { $count }.
-geometry-board-not-found = The board was found in none of the { $count } frames. { $reason }
+geometry-fisheye-count = { $file_name }: a fisheye model needs four coefficients, the file has { NUMBER($count) }.
+geometry-board-not-found = The board was found in none of the { NUMBER($count) } frames. { $reason }
 geometry-pose-misfit = No pose fits the corners; check that the camera file belongs to this recording and that the whole board lies within the lens’s valid radius.
 geometry-heights-not-numbers = The reference height and the board’s uncertainties must be numbers, in metres and radians, the uncertainties not negative.
 geometry-row-height-implausible = A reference row { $height_m } m above the road is not plausible; give the height of the { $side } row of inner corners above the road in metres.
@@ -5130,7 +5130,7 @@ linescan-strips-differ = The strips differ: { $shape } and { $shape_2 } lines by
 linescan-cannot-used-give = { $name } of { $value } { $unit } is out of range; give { $least } to { $most } { $unit }.
 line-pose-mark-incomplete = Each mark needs a distance, a height and a row.
 line-pose-not-numbers = Distances, heights and rows of the marks must be numbers.
-line-pose-too-few = { $count } marks are too few; click at least { $least }.
+line-pose-too-few = { NUMBER($count) } marks are too few; click at least { $least }.
 line-pose-above-zero = Distances of marks and the u of their rows must be above 0.
 line-pose-upside-down = Higher marks must have smaller rows; check which end of the rod is up.
 line-pose-open = The marks do not determine the camera height: hold the rod upright at two distances, such as the near and the far edge of the lane.
@@ -5160,7 +5160,7 @@ linescan-lane-rows-order = The rows of the lane { $name } are not in order; give
 linescan-divergence-without-distance = A divergence needs the distance to the vehicles; give it, or leave out the divergence and its uncertainty.
 linescan-planes-cross = With this divergence the scanning planes cross in front of the vehicles, which are { $distance_m } m away; correct the baseline, the divergence or the distance.
 linescan-planes-too-near = With this divergence the scanning planes are { $baseline_m } m apart at { $distance_m } m; at least { $least_m } m are needed.
-linescan-rig-few-passes = { $count } usable passes are too few for baseline and divergence; at least { $least } are needed, at two distances or more.
+linescan-rig-few-passes = { NUMBER($count) } usable passes are too few for baseline and divergence; at least { $least } are needed, at two distances or more.
 linescan-rig-distances-alike = All passes are between { $nearest_m } and { $farthest_m } m away, too close to separate the baseline from the divergence; add passes at another distance, for example in the near and the far lane.
 linescan-width-two-u = The board of { $width_m } m has two different uncertainties of its width; give the same in every row.
 linescan-distance-two-u = The distance of { $distance_m } m has two different uncertainties; give the same in every row of this position.
@@ -5318,13 +5318,13 @@ strips-pieces-too-large = { $name } is compressed in pieces of more than { $piec
 strips-tiles-too-large = { $name } has rows of tiles of more than { $piece_bytes } MB; save it in smaller tiles.
 strips-problem-2 = { $name } { $message }.
 strips-tiff-damaged = { $name } is a TIFF whose directory is damaged; { strips-copy-again }.
-strips-too-few-frames = { $name } has { $count } frames, too few for a line scan; choose another recording.
+strips-too-few-frames = { $name } has { NUMBER($count) } frames, too few for a line scan; choose another recording.
 strips-rate-uneven = { $name } has no constant frame rate (its time stamps are uneven, most of all after frame { $at }), and a line scan needs one; cut out an even part, or record with a fixed frame rate.
 strips-cuts-unusable = The { $what ->
     [rows] rows
    *[columns] columns
 } { $cut_1 } and { $cut_2 } cannot be cut from { $name }; choose two different ones from 0 to { $last_px }.
-strips-frames-changed = { $name } now has { $count } frames, not { NUMBER($count_2) }; import it again.
+strips-frames-changed = { $name } now has { NUMBER($count) } frames, not { NUMBER($count_2) }; import it again.
 
 ## Errors: video
 
@@ -5356,7 +5356,7 @@ passes-were-found-again = { $found ->
    *[other] { NUMBER($new) } new
 }, { NUMBER($known) } known or discarded before.
 scan-vehicles-found = { NUMBER($found) } found, { NUMBER($added) } new, { NUMBER($revised) } measured again.
-scan-vehicles-left = { $count } unchanged because another user edited them meanwhile.
+scan-vehicles-left = { NUMBER($count) } unchanged because another user edited them meanwhile.
 media-kind = { $kind ->
     [empty] is empty
     [playlist] is a playlist that points to other files
@@ -5380,7 +5380,7 @@ media-kind = { $kind ->
    *[other] is not an image format that is supported
 }
 video-no-video-track = { $name } contains no video, only sound or data; choose a video file.
-video-no-such-stream = { $name } has no video track { $number }; it has { $count }, counted from 1.
+video-no-such-stream = { $name } has no video track { $number }; it has { NUMBER($count) }, counted from 1.
 video-track-is-still = Video track { $number } of { $name } is a still image; choose another track.
 video-stream-is-off = Video track { $number } of { $name } is disabled in the file; choose another track.
 video-slowed-in-part = Only part of { $name } is in slow motion, so one filming rate does not give its times; save it with the times of filming.
@@ -5393,7 +5393,7 @@ video-no-times-follow = { $name } does not state the times of its frames, so a v
 video-in-parts = { $name } is put together of several parts by an edit list, so its frame times are not those of filming; export every part as a file of its own.
 video-times-not-filming = The time stamps of { $name } are not the times of filming (its notes give the reason), so motion is not measured. Enter its filming rate.
 video-no-frame = { $name } contains no frame that can be decoded; convert it to MP4 with H.264 or choose another file.
-video-set-aside = This recording crashed the decoder { $count } times and is not tried again; convert it to MP4 with H.264 and upload it again.
+video-set-aside = This recording crashed the decoder { NUMBER($count) } times and is not tried again; convert it to MP4 with H.264 and upload it again.
 video-decoder-failing = The decoder crashed repeatedly; check the memory of this server.
 video-not-decodable = { $header } cannot be decoded: the decoder { $why }; save it in another format and try again.
 video-frame-unwanted = This frame is no longer needed.
@@ -5505,7 +5505,7 @@ results-reference-u = The reference heights’ u must be at least 0 and below 1 
 results-own-values-many = At most { $most_own } values of your own can be shown; remove some.
 results-own-value-range = A value of your own must lie between 0 and 10 m, such as 1.08.
 results-standards-changed = The standards were changed meanwhile; reload them and repeat your change.
-results-standards-many = A table of { $count } standards is too long; { $most } are the maximum.
+results-standards-many = A table of { NUMBER($count) } standards is too long; { $most } are the maximum.
 results-standard-twice = { $twice } appears twice in the table; give each value its own name.
 results-standard-no-name = A standard needs a name, such as AASHTO (USA).
 results-standard-height = The height of { $name } must lie between 0 and 10 m, such as 1.08.
@@ -5666,7 +5666,7 @@ csv-size-too-large = { $name }, line { $line }: { $column } is “{ $cell }”, 
 csv-size-not-positive = { $name }, line { $line }: { $column } is “{ $cell }”; a size is above 0. Correct the cell.
 csv-uncertainty-below-0 = { $name }, line { $line }: { $column } is “{ $cell }”; an uncertainty is not below 0. Correct the cell.
 csv-not-utf-8 = { $name } is not a UTF-8 text; save it as CSV in UTF-8.
-vehicles-frames-changed = { $name } now has { $count } frames, but had { NUMBER($count_2) } when it was imported; import it again.
+vehicles-frames-changed = { $name } now has { NUMBER($count) } frames, but had { NUMBER($count_2) } when it was imported; import it again.
 vehicles-search-running = Passes of { $name } are already being searched; wait until that has finished.
 vehicles-no-frames = A vehicle needs its first and last frame; mark the pass on the timeline.
 vehicles-year-to-come = No model of { $year } can have passed yet; give a year up to { $most }.
@@ -5746,11 +5746,11 @@ lots-loading = the lots
 lots-summary = Accepted measurements: { $individual } individually, { $by_lot } by the sample of their lot.
 lots-outgoing = { $count ->
     [one] Of the 1 not reviewed individually, { $estimate } is estimated to be wrong and { $most } at most ({ $share }, one-sided 95 %).
-   *[other] Of the { $count } not reviewed individually, { $estimate } are estimated to be wrong and { $most } at most ({ $share }, one-sided 95 %).
+   *[other] Of the { NUMBER($count) } not reviewed individually, { $estimate } are estimated to be wrong and { $most } at most ({ $share }, one-sided 95 %).
   }
 lots-held = { $count ->
     [one] 1 height waits for the sample of its lot.
-   *[other] { $count } heights wait for the sample of their lot.
+   *[other] { NUMBER($count) } heights wait for the sample of their lot.
   }
 lots-draw-title = Draw lots from the queue
 lots-draw = Draw
@@ -5773,7 +5773,7 @@ lots-number = Allowed wrong
 lots-what = Saves
 lots-saves = { $count ->
     [one] 1 verdict
-   *[other] { $count } verdicts
+   *[other] { NUMBER($count) } verdicts
   }
 lots-saves-nothing = nothing: the sample is the whole lot; review it individually
 lots-everything = all heights in the queue
@@ -5788,34 +5788,34 @@ lots-state-full_inspection = full inspection
 lots-state-dissolved = dissolved
 lots-state-taken_back = undone
 lots-left = Left the lot: { $reasons }.
-lots-left-measured_again = { $count } measured again
-lots-left-withdrawn = { $count } withdrawn
-lots-left-vehicle_deleted = { $count } whose vehicle was deleted
-lots-left-verdict_of_its_own = { $count } with a verdict of their own
+lots-left-measured_again = { NUMBER($count) } measured again
+lots-left-withdrawn = { NUMBER($count) } withdrawn
+lots-left-vehicle_deleted = { NUMBER($count) } whose vehicle was deleted
+lots-left-verdict_of_its_own = { NUMBER($count) } with a verdict of their own
 lots-plan = { $size } heights, sample of { $sample }, accepted with at most { $most } wrong.
 lots-says-waits = { $count ->
     [one] 1 height of the sample still waits for a verdict.
-   *[other] { $count } heights of the sample still wait for a verdict.
+   *[other] { NUMBER($count) } heights of the sample still wait for a verdict.
   }
 lots-says-accept = { $count ->
     [one] Sample reviewed: 1 wrong, { $most } allowed. The lot can be accepted.
-   *[other] Sample reviewed: { $count } wrong, { $most } allowed. The lot can be accepted.
+   *[other] Sample reviewed: { NUMBER($count) } wrong, { $most } allowed. The lot can be accepted.
   }
 lots-says-refused = { $count ->
     [one] Sample reviewed: 1 wrong, { $most } allowed. The rest goes to full inspection.
-   *[other] Sample reviewed: { $count } wrong, { $most } allowed. The rest goes to full inspection.
+   *[other] Sample reviewed: { NUMBER($count) } wrong, { $most } allowed. The rest goes to full inspection.
   }
 lots-says-accepted = { $count ->
     [one] Accepted: { $bad } of the sample wrong, 1 height accepted with it. Of that, { $estimate } is estimated to be wrong and { $most } at most ({ $share }, one-sided 95 %).
-   *[other] Accepted: { $bad } of the sample wrong, { $count } heights accepted with it. Of these, { $estimate } are estimated to be wrong and { $most } at most ({ $share }, one-sided 95 %).
+   *[other] Accepted: { $bad } of the sample wrong, { NUMBER($count) } heights accepted with it. Of these, { $estimate } are estimated to be wrong and { $most } at most ({ $share }, one-sided 95 %).
   }
 lots-says-inspected = { $count ->
     [one] Not accepted by its sample: 1 height went to the queue.
-   *[other] Not accepted by its sample: { $count } heights went to the queue.
+   *[other] Not accepted by its sample: { NUMBER($count) } heights went to the queue.
   }
 lots-says-taken-back = { $count ->
     [one] Acceptance undone: 1 height waits again.
-   *[other] Acceptance undone: { $count } heights wait again.
+   *[other] Acceptance undone: { NUMBER($count) } heights wait again.
   }
 lots-says-dissolved = Dissolved before the review began.
 lots-judge = Review the sample
@@ -5823,13 +5823,13 @@ lots-accept = Accept the lot
 lots-inspect = Full inspection
 lots-inspect-text = { $count ->
     [one] 1 remaining height goes to the queue and cannot enter another lot.
-   *[other] { $count } remaining heights go to the queue individually and cannot enter another lot.
+   *[other] { NUMBER($count) } remaining heights go to the queue individually and cannot enter another lot.
   }
 lots-dissolve = Dissolve
 lots-take-back = Undo
 lots-own = { $count ->
     [one] 1 height of the sample is your own; another person reviews it.
-   *[other] { $count } heights of the sample are your own; another person reviews them.
+   *[other] { NUMBER($count) } heights of the sample are your own; another person reviews them.
   }
 lots-drawn = Drawn { $when } by { $person }; seed { $seed }…
 lots-nobody = Sightline
@@ -5853,11 +5853,11 @@ lots-fractions-in-order = The fraction of a lot that should pass must be smaller
 lots-nothing-to-draw = No lot would save work: too few heights are waiting for these risks, or they are in lots already. Use fewer divisions, or review them individually.
 lots-sample-not-judged = { $count ->
     [one] 1 height of the sample still waits for its verdict; review it first.
-   *[other] { $count } heights of the sample still wait for their verdict; review them first.
+   *[other] { NUMBER($count) } heights of the sample still wait for their verdict; review them first.
   }
 lots-too-many = { $count ->
     [one] 1 height of the sample is nonconforming; this lot is accepted with { $most } at most, so the rest goes to full inspection.
-   *[other] { $count } heights of the sample are nonconforming; this lot is accepted with { $most } at most, so the rest goes to full inspection.
+   *[other] { NUMBER($count) } heights of the sample are nonconforming; this lot is accepted with { $most } at most, so the rest goes to full inspection.
   }
 lots-own-heights = You cannot accept your own heights, and the rest of this lot contains some. Ask another reviewer.
 lots-judged-already = Part of this sample is already reviewed, so the lot cannot be dissolved; accept it or inspect it fully.
@@ -6129,9 +6129,9 @@ studies-same-survey-twice = { $first } and { $second } are packages of the same 
 studies-no-height-counts = None of the surveys has an accepted height that counts; review measurements (and export a package again).
 studies-class-unknown = The fleet has { $variable } { $name }, which Sightline does not know; use { $known }.
 studies-class-never-seen = The fleet has { $variable } { $name }, which no survey contains; leave it out and let the other shares sum to 1, or measure some.
-studies-fleet-lacks-class = The surveys contain { $count } vehicles of { $variable } { $name }, which the fleet does not have; add a row for it (0 to exclude it).
+studies-fleet-lacks-class = The surveys contain { NUMBER($count) } vehicles of { $variable } { $name }, which the fleet does not have; add a row for it (0 to exclude it).
 studies-site-missing = The table of sites has no row for { $site }; add it.
-studies-too-many-sites = Stratum { $stratum } has { $count } sites here, but sites_there is { $there }; correct it.
+studies-too-many-sites = Stratum { $stratum } has { NUMBER($count) } sites here, but sites_there is { $there }; correct it.
 studies-needs-a-name = A study needs a name; enter one.
 studies-needs-each-survey = You do not see every survey of this study now; ask a manager of those surveys to add you.
 studies-open-needs-managers = You do not manage { $name }; only someone who manages each survey of a study can show it to everyone. Ask a manager of { $name }.
@@ -6645,7 +6645,7 @@ opened-evidence-direction-of = { $direction ->
 }
 opened-evidence-lane-unknown = not known
 opened-evidence-axles = Axles
-opened-evidence-axles-of = { $count }, { $by ->
+opened-evidence-axles-of = { NUMBER($count) }, { $by ->
     [person] counted by a person
    *[machine] found by Sightline
 }
@@ -6870,8 +6870,8 @@ reference-line-fits-cars = By its time this is vehicle { $number }, but line { $
 reference-vehicle-without-time = Vehicle { $number } has no time of day to compare with; leave the time out.
 reference-time-of-another = Vehicle { $number } passed { $apart_s } s from this time, more than { $tolerance_s } s.
 reference-times-need-start = { $name } has times, but the start of this line scan is not confirmed, so no vehicle has a time of day. Confirm the start, or give the vehicles’ numbers.
-reference-times-later = The times of { $count } lines are { $off_s } s later (median) than those of their vehicles.
-reference-times-earlier = The times of { $count } lines are { $off_s } s earlier (median) than those of their vehicles.
+reference-times-later = The times of { NUMBER($count) } lines are { $off_s } s later (median) than those of their vehicles.
+reference-times-earlier = The times of { NUMBER($count) } lines are { $off_s } s earlier (median) than those of their vehicles.
 reference-times-start = The U95 of the start of this line scan is { $U95_s } s, more than the tolerance of { $tolerance_s } s: a line may fit a neighbouring vehicle. Check the pairs.
 reference-line-replaces = Replaces the { $quantity } { $value } { $unit } (u = { $u } { $unit }).
 reference-line-renames = Was a run of { $car }.
@@ -6925,7 +6925,7 @@ scan-motion-no-road = The empty road before the vehicle is too unsteady: snow, r
 scan-motion-too-long = Its estimated length is { $length_m } m, and the limit is { $most_m } m: a train, vehicles without a gap, or a wrong baseline or line rate.
 scan-motion-two-at-once = The cameras show it for different durations: two vehicles pass side by side, or it stopped.
 scan-motion-lines-lost = The recorder lost { $lost } while the vehicle passed.
-scan-lines-of-camera = { $count } lines of camera { $camera }
+scan-lines-of-camera = { NUMBER($count) } lines of camera { $camera }
 words-both = { $first } and { $second }
 scan-motion-no-wheelbase = No wheelbase: { $reason }
 scan-wheelbase-no-motion = The vehicle has no measured motion.
@@ -6937,20 +6937,20 @@ scan-run-alone = { $alone } objects passed only one camera: check that both show
 scan-run-stood-in-front = A vehicle stopped in front of another that stood; it may be missing, and so may vehicles that passed meanwhile.
 scan-run-light-changed = The brightness changed suddenly { $count ->
     [one] once
-   *[other] { $count } times
+   *[other] { NUMBER($count) } times
  }; vehicles that passed at that moment may be missing.
 scan-run-camera-moved = A camera moved { $count ->
     [one] once
-   *[other] { $count } times
+   *[other] { NUMBER($count) } times
  }: the road is some rows higher or lower since then; fix the camera firmly.
 scan-run-road-unsteady = The empty road of camera { $camera } varies by { $percent } % from line to line: snow, rain, or a vehicle at the start; record the empty road first.
 scan-run-short-objects = Camera { $camera } shows { $per_s } short objects a second: rain, snow or insects; check the boundaries.
 scan-run-flicker = The light at camera { $camera } flickers by { $percent } %, as mains lighting does; use other lighting, or expect larger uncertainties.
 scan-run-saturated = { $percent } % of the image of camera { $camera } is saturated; reduce the exposure.
 rig-misalignments-scatter = The misalignment differs between vehicles by { NUMBER($sd_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px (standard deviation); check whether a camera moved.
-rig-few-known = { $count } known vehicles are too few; { $least } are needed.
+rig-few-known = { NUMBER($count) } known vehicles are too few; { $least } are needed.
 rig-misalignment-given = The misalignment was entered, so the estimates of the vehicles depend on it; leave it empty and measure again to have it estimated.
-rig-baseline-off = { $count } { $of ->
+rig-baseline-off = { NUMBER($count) } { $of ->
     [length] lengths
    *[wheelbase] wheelbases
  } of known vehicles measure { NUMBER($percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % { $than ->
@@ -6963,14 +6963,14 @@ rig-baseline-off = { $count } { $of ->
     [length] { " " }Shadows can also add length; wheelbases are free of them.
    *[wheelbase] { "" }
  }
-rig-baseline-agrees = { $count } { $of ->
+rig-baseline-agrees = { NUMBER($count) } { $of ->
     [length] lengths
    *[wheelbase] wheelbases
  } of known vehicles agree with the entered baseline (U95 = { NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %).
 scan-flow-no-speed = No vehicle here has an accepted speed.
 scan-flow-rear-unseen = The occupancy is not known: the rear of a vehicle that stood here was not seen.
-scan-flow-no-u-occupancy = The uncertainty of the occupancy is not known: { $count } of the vehicles here have no motion.
-stream-lines-lost = { $count } lines of camera { $camera } were lost and replaced by copies; vehicles that passed meanwhile are not measured.
+scan-flow-no-u-occupancy = The uncertainty of the occupancy is not known: { NUMBER($count) } of the vehicles here have no motion.
+stream-lines-lost = { NUMBER($count) } lines of camera { $camera } were lost and replaced by copies; vehicles that passed meanwhile are not measured.
 stream-vehicles-wait = { $message } { NUMBER($waiting) } vehicles wait to be stored in the survey.
 stream-recording-deleted = { $recording } was deleted while it was streamed: none of its vehicles are stored from now on, and both strips are deleted at its end.
 stream-recording-not-there = { $recording } was not found in this survey: none of its vehicles are stored from now on.
@@ -6981,7 +6981,7 @@ stream-clock-set = The computer’s clock was set by { NUMBER($jump_s, minimumFr
 stream-lines-not-stored = Later lines could not be stored ({ $strerror }); they were measured nevertheless.
 stream-journal-not-written = The journal could not be written ({ $strerror }).
 stream-lines-stored = { NUMBER($kept) } lines are stored in { $path }.
-rig-few-vehicles = { $count } vehicles give a { $of ->
+rig-few-vehicles = { NUMBER($count) } vehicles give a { $of ->
     [misalignment] misalignment
    *[gain] gain
  }; { $least } are needed.
@@ -7024,8 +7024,8 @@ pose-squares-small = The squares are small in the image; bring the board closer.
 pose-board-rolled = The board appears rolled by { $roll_deg } degrees; check that columns and rows were not exchanged.
 pose-image-twice = { $name } is the same image as { $file }; it counts once.
 pose-frames-twice = { $count ->
-    [one] { $count } frame of { $name } was given before; it counts once.
-   *[other] { $count } frames of { $name } were given before; they count once.
+    [one] { NUMBER($count) } frame of { $name } was given before; it counts once.
+   *[other] { NUMBER($count) } frames of { $name } were given before; they count once.
 }
 pose-one-frame = Only one frame is used, so it is not checked that the board was at rest.
 pose-road-turned = Rotated by { NUMBER($heading_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) } degrees to the travel direction.
@@ -7057,8 +7057,8 @@ calibration-halves-no-inverse = A board lies where the lens model has no inverse
 calibration-halves-differ = Two halves of the images, calibrated separately, differ by { SMALL($difference_m) } in a height at { $distance_m } m: more than the corners’ noise explains. The lens may need the other model, the board may be bent, or zoom or focus changed between images.
 calibration-halves-differ-beyond = Two halves of the images, calibrated separately, differ by { SMALL($difference_m) } in a height at { $distance_m } m, { SMALL($expected_m) } expected: more than the corners’ noise explains. The lens may need the other model, the board may be bent, or zoom or focus changed between images.
 calibration-held-out-worse = Held-out images fit the lens much worse than fitted images ({ NUMBER($held_out_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px against { NUMBER($fit_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px); add images with the board tilted and in every part of the image.
-calibration-few-views = Only { $count } views were used; with fewer than { $few } a small residual proves little; use 15 to 25.
-calibration-views-alike = Only { $different } of the { $count } views differ because the board hardly moved between the others; move and tilt it between images, or use frames further apart.
+calibration-few-views = Only { NUMBER($count) } views were used; with fewer than { $few } a small residual proves little; use 15 to 25.
+calibration-views-alike = Only { $different } of the { NUMBER($count) } views differ because the board hardly moved between the others; move and tilt it between images, or use frames further apart.
 calibration-little-covered = The boards cover { $percent } % of the image; add views that reach its edges and corners, where the distortion is largest.
 calibration-boards-parallel = All board views have the same orientation, so focal length and distance cannot be separated; tilt the board by 30 to 45 degrees in several directions.
 calibration-residual-high = The residual of { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px is high; the board may not be flat, its size may be wrong, or the lens needs another model.
@@ -7069,7 +7069,7 @@ lens-axis-off-middle = The optical axis lies far from the middle of the image; w
 lens-pixels-not-square = The two focal lengths differ by more than 10 %; are the pixels square?
 lens-no-inverse-in-corners = The lens model cannot be inverted in the corners of the image, so nothing is measured there; add images that reach the corners.
 calibration-squares-small = In { $small } of { $views } views the squares are smaller than { $least_px } px and their corners inexact; bring the board nearer or use larger squares.
-calibration-several-sizes = Images of several sizes: { $count } skipped that are not { $width_px }x{ $height_px } px ({ $file } first); a calibration applies to one size only, so use images of the recordings’ size.
+calibration-several-sizes = Images of several sizes: { NUMBER($count) } skipped that are not { $width_px }x{ $height_px } px ({ $file } first); a calibration applies to one size only, so use images of the recordings’ size.
 calibration-board-seldom = The board was used in only { $used } of { $given } images; count its inner corners again, and show the whole board, sharp and evenly lit.
 calibration-image-outlier = { $file } fits much worse than the others ({ NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px against { NUMBER($usual_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px); check its corners.
 calibration-tilt-edge = Tilt the board by about 30 degrees, its { $edge } edge nearer the camera.
@@ -7147,7 +7147,7 @@ adjustment-lengths-scatter = The known values of the { $length ->
    *[roof_inset] roof inset
  } scatter { NUMBER($factor, minimumFractionDigits: 1, maximumFractionDigits: 1) } times as much as stated; their uncertainties were multiplied by this factor.
 adjustment-global-test-failed = Global test failed: chi-square { $chi2 } with { $freedom } degrees of freedom; the stated uncertainties are not consistent.
-adjustment-few-vehicles = With { $count } vehicles, a wrong vehicle cannot be distinguished from a wrong pose.
+adjustment-few-vehicles = With { NUMBER($count) } vehicles, a wrong vehicle cannot be distinguished from a wrong pose.
 adjustment-pose-unchanged = No pass with a known length could be used, so the pose is unchanged.
 adjustment-point-not-finite = A point or its uncertainty is not a finite number.
 adjustment-point-no-u = The uncertainty of a point is below 0.001 px.
@@ -7163,9 +7163,9 @@ adjustment-roof-not-near-edge = The roof was not clicked at its near edge.
 adjustment-no-lengths-yet = No lengths are known yet: click both tyres of vehicles of a known model, or measure their roofs.
 adjustment-done-before = This pose is already adjusted to the traffic.
 adjustment-no-pass = No pass with a known length could be used.
-traffic-turned = The road’s X axis is rotated by { NUMBER($mean_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° (u = { NUMBER($u_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }°, { $count } vehicles) against the traffic.
-traffic-agrees = The road’s X axis agrees with the traffic: rotated by { NUMBER($mean_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° (u = { NUMBER($u_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }°, { $count } vehicles), not significant.
-traffic-turn-changes = This changes { $count } stored heights by up to { SMALL($largest_m) }.
+traffic-turned = The road’s X axis is rotated by { NUMBER($mean_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° (u = { NUMBER($u_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }°, { NUMBER($count) } vehicles) against the traffic.
+traffic-agrees = The road’s X axis agrees with the traffic: rotated by { NUMBER($mean_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° (u = { NUMBER($u_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }°, { NUMBER($count) } vehicles), not significant.
+traffic-turn-changes = This changes { NUMBER($count) } stored heights by up to { SMALL($largest_m) }.
 traffic-turn-would-change = Rotating it would change stored heights by up to { SMALL($largest_m) }.
 traffic-few-vehicles = Both tyre contacts of at least { $least } vehicles are needed; { $usable } can be used.
 adjustment-row-frame = Row { $row }: the cell frame is not a whole number.
@@ -7184,7 +7184,7 @@ inset-no-trend = The inset cannot be estimated: too few vehicles, or all at abou
 inset-trend-at-camera-height = Not conclusive: this target is at about camera height, where the inset has little effect.
 inset-trend-one-distance = Not conclusive: all passed at about the same distance, { NUMBER($nearest_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } to { NUMBER($farthest_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } m.
 inset-trend-few = Not enough data: a few hundred vehicles are needed for u = 0.15 m.
-inset-few-solved = At least { $least } vehicles measured on two frames are needed; there are { $count }.
+inset-few-solved = At least { $least } vehicles measured on two frames are needed; there are { NUMBER($count) }.
 inset-solved-close-frames = Not conclusive: the frames were close together.
 inset-no-gain = Agrees with the current inset; using it would make no height more certain.
 inset-no-known-roof = No vehicle with a manufacturer’s height has a measured roof.
@@ -7196,7 +7196,7 @@ repeat-other-pose = The camera pose changed since, so not only the clicks differ
 repeat-other-inset = The insets differ, so not only the clicks differ.
 repeat-no-uncertainty = A height has no uncertainty.
 repeats-few-own = { $name } has { $pairs } own repeats; { $least } are needed.
-repeats-few-other-frame = Needs { $least } repeats on another frame, has { $count }.
+repeats-few-other-frame = Needs { $least } repeats on another frame, has { NUMBER($count) }.
 repeats-nothing-yet = No repeat measurements yet.
 repeats-few = Too few repeats: { $freedom } degrees of freedom, at least { $least } are needed.
 repeats-few-to-compare = Too few repeats to compare: { $freedom }, at least { $least } are needed.
@@ -7218,13 +7218,13 @@ video-slow-motion = The file is marked as slow motion; it plays { $played_hz } f
 video-slow-motion-at = The file states that it was filmed at { $filmed_hz } frames per second; it plays { $played_hz } frames per second. Heights from single frames are valid, but no motion is measured until you enter the filming rate.
 video-gaps = Frames are missing: { $count ->
     [one] one gap
-   *[other] { $count } gaps
+   *[other] { NUMBER($count) } gaps
  }, the longest { NUMBER($gap_s, minimumFractionDigits: 2, maximumFractionDigits: 2) } s after frame { $frame }.
-video-truncated = The file is truncated: { NUMBER($missing) } bytes are missing at its end. { $count } frames ({ NUMBER($span_s, minimumFractionDigits: 2, maximumFractionDigits: 2) } s) were imported; copy it again for the rest.
+video-truncated = The file is truncated: { NUMBER($missing) } bytes are missing at its end. { NUMBER($count) } frames ({ NUMBER($span_s, minimumFractionDigits: 2, maximumFractionDigits: 2) } s) were imported; copy it again for the rest.
 video-another-recording-after = The file contains another recording after this one, which is not imported. Split the file and add each part.
 video-other-tracks = The file contains { $count ->
     [one] another video track
-   *[other] { $count } other video tracks
+   *[other] { NUMBER($count) } other video tracks
  }: { $others }; track { $stream } ({ $codec }, { $width_px }x{ $height_px }) was imported.
 video-track = { $number } ({ $codec }, { $width_px }x{ $height_px }{ $kind ->
     [still] , a still image
@@ -7234,38 +7234,38 @@ video-track = { $number } ({ $codec }, { $width_px }x{ $height_px }{ $kind ->
  })
 video-track-unknown = { $number } (unknown codec)
 video-not-turned = The header asks for a further rotation by { $degrees } degrees, which is not applied: only quarter turns keep the pixels as filmed.
-video-same-image = { $count } { $count ->
+video-same-image = { NUMBER($count) } { $count ->
     [one] frame has
    *[other] frames have
  } the same image as the one before.
-video-not-later = { $count } { $count ->
+video-not-later = { NUMBER($count) } { $count ->
     [one] frame has
    *[other] frames have
  } a time stamp not later than the one before; the times were sorted.
-video-packets-damaged = { $count } damaged { $count ->
+video-packets-damaged = { NUMBER($count) } damaged { $count ->
     [one] packet was
    *[other] packets were
  } skipped; frames are missing there.
-video-frames-patched = { $count } { $count ->
+video-frames-patched = { NUMBER($count) } { $count ->
     [one] frame is
    *[other] frames are
  } damaged and completed by the decoder, the first one at { $first }; do not measure there.
 video-start-in-future = The file states a start of { $start } UTC, which is in the future: the camera’s clock is wrong, so no start is suggested.
 video-ends-early = The header states { NUMBER($duration_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s, the frames end after { NUMBER($end_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s; the file may be truncated.
 video-other-rate = The header states { $stated_hz } frames per second, the time stamps give { $rate_hz }; the time stamps are used.
-video-other-count = The header states { NUMBER($claimed) } frames, { $count } could be decoded; frame numbers refer to these.
+video-other-count = The header states { NUMBER($claimed) } frames, { NUMBER($count) } could be decoded; frame numbers refer to these.
 video-shown-upright = The frames were { $done }, as their header states.
 video-stretched = stretched for pixels of { $aspect }
 video-turned = turned by { $degrees } degrees clockwise
 video-mirrored = mirrored
 video-interlaced = The recording is interlaced: moving edges are combed, prefer a progressive recording.
 video-working-copy = Frames are served from a working copy with an index; they are identical to the original’s.
-video-other-size-skipped = { $count } frames of another size were skipped.
+video-other-size-skipped = { NUMBER($count) } frames of another size were skipped.
 video-rate-varies = The frame rate varies: { NUMBER($least_s, minimumFractionDigits: 4, maximumFractionDigits: 4) } to { NUMBER($most_s, minimumFractionDigits: 4, maximumFractionDigits: 4) } s between frames; times come from the time stamps.
-video-unreadable-end = The file could not be read to its end; { $count } frames were found before that.
+video-unreadable-end = The file could not be read to its end; { NUMBER($count) } frames were found before that.
 video-no-time-stamps = The stream contains no usable time stamps: { $rate_hz } frames per second are assumed, so its times are unreliable.
 scan-pixels-saturated = { $percent } % of camera { $camera }’s pixels are saturated, so edges are lost there; reduce the light or the exposure.
-scan-recorder-lost = The recorder of { $name } lost { $count } lines; they were replaced by copies.
+scan-recorder-lost = The recorder of { $name } lost { NUMBER($count) } lines; they were replaced by copies.
 scan-recorder-other-rate = { $name } states a line rate of { $told_hz } Hz, but { $line_rate_hz } Hz was given and is used; check which one is right.
 
 ## Said: how far a job is
@@ -7293,7 +7293,7 @@ job-heights-restoring = Restoring the previous heights.
 job-heights-computing = Computing the heights.
 job-strips-reading = Reading the strips.
 job-strips-cutting = Cutting the strips.
-job-vehicles-found = Searching for vehicles. { $count } so far.
+job-vehicles-found = Searching for vehicles. { NUMBER($count) } so far.
 job-vehicles-again = Measuring the known vehicles again.
 job-study-package = Writing the package.
 job-study-report = Writing the report.

@@ -179,12 +179,12 @@ sample-measured = Mesurés
 sample-unseen = Non visibles
 sample-outside = { $counts ->
     [yes] { $count ->
-        [one] { $count } passage a été mesuré bien qu’il soit hors échantillon, et compte dans les résultats.
-       *[other] { $count } passages ont été mesurés bien qu’ils soient hors échantillon, et comptent dans les résultats.
+        [one] { NUMBER($count) } passage a été mesuré bien qu’il soit hors échantillon, et compte dans les résultats.
+       *[other] { NUMBER($count) } passages ont été mesurés bien qu’ils soient hors échantillon, et comptent dans les résultats.
     }
    *[no] { $count ->
-        [one] { $count } passage a été mesuré hors échantillon et ne compte pas dans les résultats.
-       *[other] { $count } passages ont été mesurés hors échantillon et ne comptent pas dans les résultats.
+        [one] { NUMBER($count) } passage a été mesuré hors échantillon et ne compte pas dans les résultats.
+       *[other] { NUMBER($count) } passages ont été mesurés hors échantillon et ne comptent pas dans les résultats.
     }
 }
 sample-outside-counts = Les hauteurs mesurées hors échantillon comptent dans les résultats
@@ -446,8 +446,8 @@ system-database-of = { $kind ->
     [sqlite] SQLite
    *[other] PostgreSQL
   }, { $count ->
-    [one] { $count } connexion utilisée
-   *[other] { $count } connexions utilisées
+    [one] { NUMBER($count) } connexion utilisée
+   *[other] { NUMBER($count) } connexions utilisées
   }
 system-media = Vidéos et images
 system-free = Libre sur le disque
@@ -467,8 +467,8 @@ system-checkpoints-lead = Un point de contrôle signe la fin de chaque chaîne d
 system-checkpoints-loading = points de contrôle
 system-checkpoints-key = Clé actuelle
 system-checkpoints-keys-before = { $count ->
-    [one] Elle remplace { $count } clé antérieure, qui l’a signée.
-   *[other] Elle remplace { $count } clés antérieures ; chacune a signé la suivante.
+    [one] Elle remplace { NUMBER($count) } clé antérieure, qui l’a signée.
+   *[other] Elle remplace { NUMBER($count) } clés antérieures ; chacune a signé la suivante.
   }
 system-checkpoints-none = Aucun point de contrôle pour l’instant
 system-checkpoints-chains = Chaînes
@@ -545,7 +545,7 @@ rail-quality = Qualité
 rail-results = Résultats
 app-keys = Raccourcis clavier
 app-work = Étapes du relevé
-save-waiting = { $count } à enregistrer
+save-waiting = { NUMBER($count) } à enregistrer
 save-pending = enregistrement…
 save-failed = dernière modification non enregistrée
 save-done = enregistré { $time }
@@ -563,12 +563,12 @@ menu-sign-out = Se déconnecter
 ## Application : tant que le serveur est injoignable
 
 offline-kept = { $count ->
-    [one] { $count } modification est gardée dans ce navigateur et sera enregistrée au retour du serveur.
-   *[other] { $count } modifications sont gardées dans ce navigateur et seront enregistrées au retour du serveur.
+    [one] { NUMBER($count) } modification est gardée dans ce navigateur et sera enregistrée au retour du serveur.
+   *[other] { NUMBER($count) } modifications sont gardées dans ce navigateur et seront enregistrées au retour du serveur.
 }
 offline-changes = { $count ->
-    [one] { $count } modification sera enregistrée au retour du serveur ; gardez cette page ouverte.
-   *[other] { $count } modifications seront enregistrées au retour du serveur ; gardez cette page ouverte.
+    [one] { NUMBER($count) } modification sera enregistrée au retour du serveur ; gardez cette page ouverte.
+   *[other] { NUMBER($count) } modifications seront enregistrées au retour du serveur ; gardez cette page ouverte.
 }
 offline-next = Prochain essai dans { $seconds } s.
 offline-now = Nouvel essai…
@@ -619,8 +619,8 @@ drift-reason = Motif pour conserver la pose
 drift-decide = Conserver la pose
 drift-look = image { $frame } : { $moved_px } px, { $change }
 drift-figure = { $untold ->
-    [0] Images comparées à celles de la pose de la caméra : { $count } ; plus grande erreur de hauteur : { $worst } (cible à { $target } de haut, distance { $distance }). Bande grisée : seuil de détection.
-   *[other] Images comparées à celles de la pose de la caméra : { $count }, dont { $untold } sans résultat ; plus grande erreur de hauteur : { $worst } (cible à { $target } de haut, distance { $distance }). Bande grisée : seuil de détection.
+    [0] Images comparées à celles de la pose de la caméra : { NUMBER($count) } ; plus grande erreur de hauteur : { $worst } (cible à { $target } de haut, distance { $distance }). Bande grisée : seuil de détection.
+   *[other] Images comparées à celles de la pose de la caméra : { NUMBER($count) }, dont { $untold } sans résultat ; plus grande erreur de hauteur : { $worst } (cible à { $target } de haut, distance { $distance }). Bande grisée : seuil de détection.
 }
 
 ## Figures : téléchargements et repères
@@ -706,7 +706,7 @@ viewer-wrong-frame = Le serveur a envoyé l’image { $served } pour l’image {
 viewer-slid = Rien n’a été placé : le pointeur a bougé alors que le bouton était enfoncé. Pour déplacer l’image, maintenez Espace et faites glisser.
 viewer-changed = Rien n’a été placé : l’image a changé alors que le bouton était enfoncé. Cliquez à nouveau.
 viewer-first-corner = premier
-timeline-passes = { $count } passages, images { $first_frame } à { $last_frame }
+timeline-passes = { NUMBER($count) } passages, images { $first_frame } à { $last_frame }
 timeline-label = Position dans l’enregistrement
 timeline-decoded = Décodé sur le serveur
 transport-play = Lire
@@ -771,8 +771,8 @@ camera-choose-pictures = Choisir des photos du damier
 camera-drop-pictures = Déposez ici des photos du damier, ou cliquez pour choisir
 camera-drop-hint = Même caméra, même zoom, même mise au point. Inclinez la mire, amenez-la dans chaque coin, gardez-la nette.
 camera-found-in = { $count ->
-    [one] La mire a été trouvée dans <strong>{ $found }</strong> image sur { $count }.
-   *[other] La mire a été trouvée dans <strong>{ $found }</strong> des { $count } images.
+    [one] La mire a été trouvée dans <strong>{ $found }</strong> image sur { NUMBER($count) }.
+   *[other] La mire a été trouvée dans <strong>{ $found }</strong> des { NUMBER($count) } images.
 }
 camera-too-few = Il en faut au moins trois ; douze à vingt, prises sous divers angles, donnent un bon étalonnage.
 camera-more-better = Suffisant pour étalonner. Douze à vingt photos, la mire inclinée et dans chaque coin de l’image, donnent un meilleur résultat.
@@ -780,16 +780,16 @@ camera-other-board = Ces photos ont été analysées pour une autre mire. Relanc
 camera-other-board-markers = Ces photos ont été analysées pour une autre mire. Relancez la recherche pour { $columns } × { $rows } coins intérieurs et des marqueurs de { $dictionary }.
 camera-look-again = Relancer la recherche
 camera-to-go = { $count ->
-    [one] encore { $count } image
-   *[other] encore { $count } images
+    [one] encore { NUMBER($count) } image
+   *[other] encore { NUMBER($count) } images
 }
 camera-import = Importer un fichier d’étalonnage
 camera-import-title = OpenCV YAML ou JSON, ROS camera_info, Kalibr, mrcal
 camera-imported = { $file } importé.
 camera-failed = L’étalonnage a échoué ; réessayez.
 camera-recording-frames = { $count ->
-    [one] { $recording } ({ $count } image)
-   *[other] { $recording } ({ $count } images)
+    [one] { $recording } ({ NUMBER($count) } image)
+   *[other] { $recording } ({ NUMBER($count) } images)
 }
 camera-every = Une image sur n
 camera-first-frame = Première image
@@ -811,8 +811,8 @@ camera-board-flat-hint = Sur une plaque rigide. Le résultat indique sa planéit
 camera-board-bent-hint = Papier sur un mur ou feuille mince : la forme de la mire est aussi estimée. Il faut 6 vues, mieux 15.
 camera-three-images = Ajoutez au moins trois photos où l’on voit la mire.
 camera-corners-found = { $count ->
-    [one] { $count } coin trouvé dans { $image }
-   *[other] { $count } coins trouvés dans { $image }
+    [one] { NUMBER($count) } coin trouvé dans { $image }
+   *[other] { NUMBER($count) } coins trouvés dans { $image }
 }
 camera-remove = Retirer { $image }
 camera-found-some = trouvés : { $found } sur { $all }
@@ -845,12 +845,12 @@ camera-drawing = { $kind ->
    *[checkerboard] Une mire avec { $columns } coins intérieurs en largeur et { $rows } en hauteur : les points où quatre cases se touchent. Le bord extérieur ne compte pas.
 }
 camera-drawing-columns = { $count ->
-    [one] { $count } colonne
-   *[other] { $count } colonnes
+    [one] { NUMBER($count) } colonne
+   *[other] { NUMBER($count) } colonnes
 }
 camera-drawing-rows = { $count ->
-    [one] { $count } rangée
-   *[other] { $count } rangées
+    [one] { NUMBER($count) } rangée
+   *[other] { NUMBER($count) } rangées
 }
 camera-drawing-square = case { $side }
 
@@ -875,8 +875,8 @@ camera-residual = Erreur de reprojection RMS
 camera-not-told = Non indiquée
 camera-download = camera.json
 camera-views-used = { $count ->
-    [one] { $used } vue utilisée sur { $count }
-   *[other] vues utilisées : { $used } sur { $count }
+    [one] { $used } vue utilisée sur { NUMBER($count) }
+   *[other] vues utilisées : { $used } sur { NUMBER($count) }
 }
 camera-picture = taille d’image
 camera-across = { $model ->
@@ -894,15 +894,15 @@ camera-coverage-unknown = La couverture de l’image n’est pas connue pour cet
 camera-coverage = Les coins couvrent { $percent } % de l’image.
 camera-coverage-label = Couverture de l’image : { $empty } parties sur { $all } sans aucun coin
 camera-coverage-cell = { $count ->
-    [one] { $count } coin
-   *[other] { $count } coins
+    [one] { NUMBER($count) } coin
+   *[other] { NUMBER($count) } coins
 }
 camera-covered = Toutes les parties de l’image sont assez couvertes.
 camera-reshoot = Vues à ajouter
 camera-residuals = Résidus par vue
 camera-left-out = { $count ->
-    [one] { $count } vue exclue
-   *[other] { $count } vues exclues
+    [one] { NUMBER($count) } vue exclue
+   *[other] { NUMBER($count) } vues exclues
 }
 camera-no-reason = motif non indiqué
 camera-residuals-label = Résidus de { $file }, le plus long de { $longest_px } pixels
@@ -982,8 +982,8 @@ pose-span-take = Utiliser ces images
 pose-not-marked = non marquées
 pose-end-not-marked = à partir de { $first_frame }, fin non marquée
 pose-marked = { $count ->
-    [one] { $first_frame } à { $last_frame }, { $count } image
-   *[other] { $first_frame } à { $last_frame }, { $count } images
+    [one] { $first_frame } à { $last_frame }, { NUMBER($count) } image
+   *[other] { $first_frame } à { $last_frame }, { NUMBER($count) } images
 }
 pose-height = Hauteur de la mire
 pose-reference = Rangée de référence
@@ -1032,8 +1032,8 @@ pose-expected-reason = Pas d’U95 à { $distance }. { $reason }
 pose-facts = Images { $first_frame } à { $last_frame } ; résidu des coins { $fit } ; mire à { $distance }.
 pose-other-recording = autre enregistrement
 pose-poses = { $count ->
-    [one] { $count } pose dans ce relevé
-   *[other] { $count } poses dans ce relevé
+    [one] { NUMBER($count) } pose dans ce relevé
+   *[other] { NUMBER($count) } poses dans ce relevé
 }
 pose-made = { $time }, images { $first_frame } à { $last_frame }
 pose-use-short = Utiliser
@@ -1056,7 +1056,7 @@ recordings-delete-one = Supprimer { $recording }
 recordings-download-one = Télécharger la vidéo de { $recording }
 recordings-deleted = { $recording } a été supprimé.
 recordings-vfr-title = Cadence d’images variable : les temps viennent de l’horodatage de chaque image
-recordings-picture-read = Piste vidéo { $number } sur les { $count } du fichier
+recordings-picture-read = Piste vidéo { $number } sur les { NUMBER($count) } du fichier
 recordings-picture-read-too = Importer aussi la piste vidéo { $number } ({ $codec }, { $size })
 recordings-picture-read-of = Importer la piste vidéo { $number } de { $recording } comme un enregistrement à part
 recordings-picture-added = { $name } est en cours d’import.
@@ -1080,15 +1080,15 @@ recordings-rename = Renommer
 recordings-rename-one = Renommer { $recording }
 recordings-name = Nom de l’enregistrement
 recordings-frames = { $count ->
-    [one] { $count } image
-   *[other] { $count } images
+    [one] { NUMBER($count) } image
+   *[other] { NUMBER($count) } images
 }
 recordings-rate = { $rate } images/s
 recordings-rate-average = { $rate } images/s en moyenne
 recordings-codec = { $codec } dans { $container }
 recordings-passes = { $count ->
     [0] encore aucun passage
-    [one] { $count } passage
+    [one] { NUMBER($count) } passage
    *[other] { NUMBER($count) } passages
 }
 recordings-sha256 = SHA-256 { $sha256 }
@@ -1261,25 +1261,25 @@ computing-lead = Les hauteurs dépendent de la pose de la caméra (dans les bala
 computing-loading = hauteurs périmées
 computing-fine = Toutes les hauteurs sont à jour.
 computing-stale = { $count ->
-    [one] { $count } hauteur est périmée : { $causes }.
-   *[other] { $count } hauteurs sont périmées : { $causes }.
+    [one] { NUMBER($count) } hauteur est périmée : { $causes }.
+   *[other] { NUMBER($count) } hauteurs sont périmées : { $causes }.
 }
 computing-in-line-scans = { $count ->
-    [one] { $count } est dans un balayage.
-   *[other] { $count } sont dans des balayages.
+    [one] { NUMBER($count) } est dans un balayage.
+   *[other] { NUMBER($count) } sont dans des balayages.
 }
 computing-waiting = { $count ->
-    [one] { $count } de ces mesures n’a pas encore de hauteur et en aura une.
-   *[other] { $count } de ces mesures n’ont pas encore de hauteur et en auront une.
+    [one] { NUMBER($count) } de ces mesures n’a pas encore de hauteur et en aura une.
+   *[other] { NUMBER($count) } de ces mesures n’ont pas encore de hauteur et en auront une.
 }
 computing-other-program = { $count ->
-    [one] { $count } hauteur a été calculée par une autre version de Sightline. Le recalcul peut donner la même valeur.
-   *[other] { $count } hauteurs ont été calculées par une autre version de Sightline. Le recalcul peut donner les mêmes valeurs.
+    [one] { NUMBER($count) } hauteur a été calculée par une autre version de Sightline. Le recalcul peut donner la même valeur.
+   *[other] { NUMBER($count) } hauteurs ont été calculées par une autre version de Sightline. Le recalcul peut donner les mêmes valeurs.
 }
-computing-cause-pose = { $count } avec une autre pose ou un autre étalonnage de la caméra
-computing-cause-inset = { $count } avec un autre retrait
-computing-cause-side = { $count } avec un autre côté du conducteur
-computing-cause-program = { $count } par une autre version de Sightline
+computing-cause-pose = { NUMBER($count) } avec une autre pose ou un autre étalonnage de la caméra
+computing-cause-inset = { NUMBER($count) } avec un autre retrait
+computing-cause-side = { NUMBER($count) } avec un autre côté du conducteur
+computing-cause-program = { NUMBER($count) } par une autre version de Sightline
 computing-start = Recalculer
 computing-look = Vérifier et recalculer
 computing-which = Quelles hauteurs
@@ -1289,8 +1289,8 @@ computing-mark-side = Périmée : le côté du conducteur a changé depuis.
 computing-mark-program = Périmée : une autre version de Sightline l’a calculée.
 computing-nothing-changed = Aucune hauteur n’a changé : rien n’a été enregistré.
 computing-done = { $count ->
-    [one] { $count } hauteur recalculée.
-   *[other] { $count } hauteurs recalculées.
+    [one] { NUMBER($count) } hauteur recalculée.
+   *[other] { NUMBER($count) } hauteurs recalculées.
 }
 computing-runs = Calculs précédents
 computing-runs-none = Aucune hauteur n’a été recalculée dans ce relevé.
@@ -1309,28 +1309,28 @@ computing-show = Afficher
 computing-shown = affiché
 computing-old-new = Ancienne et nouvelle
 computing-summary = { $count ->
-    [one] { $count } hauteur : { $causes } ; variation moyenne { $mean }, la plus grande { $largest }.
-   *[other] { $count } hauteurs : { $causes } ; variation moyenne { $mean }, la plus grande { $largest }.
+    [one] { NUMBER($count) } hauteur : { $causes } ; variation moyenne { $mean }, la plus grande { $largest }.
+   *[other] { NUMBER($count) } hauteurs : { $causes } ; variation moyenne { $mean }, la plus grande { $largest }.
 }
 computing-summary-undo = { $count ->
-    [one] { $count } hauteur a retrouvé sa valeur précédente.
-   *[other] { $count } hauteurs ont retrouvé leur valeur précédente.
+    [one] { NUMBER($count) } hauteur a retrouvé sa valeur précédente.
+   *[other] { NUMBER($count) } hauteurs ont retrouvé leur valeur précédente.
 }
 computing-kept = { $count ->
-    [one] { $count } a été modifiée depuis et reste inchangée.
-   *[other] { $count } ont été modifiées depuis et restent inchangées.
+    [one] { NUMBER($count) } a été modifiée depuis et reste inchangée.
+   *[other] { NUMBER($count) } ont été modifiées depuis et restent inchangées.
 }
 computing-sent = { $count ->
     [0] Aucune hauteur n’a changé de plus que son incertitude-type : toutes les décisions restent valables.
-    [one] { $count } hauteur a changé de plus que son incertitude-type et retourne en vérification ; les autres décisions restent valables.
-   *[other] { $count } hauteurs ont changé de plus que leur incertitude-type et retournent en vérification ; les autres décisions restent valables.
+    [one] { NUMBER($count) } hauteur a changé de plus que son incertitude-type et retourne en vérification ; les autres décisions restent valables.
+   *[other] { NUMBER($count) } hauteurs ont changé de plus que leur incertitude-type et retournent en vérification ; les autres décisions restent valables.
 }
 computing-undo = Tout annuler
 computing-undo-text = Rétablit la valeur précédente de chaque hauteur de ce calcul, en nouvelle révision. Les hauteurs modifiées depuis restent inchangées.
 computing-figure = Variation de chaque hauteur
-computing-figure-says = Variation de { $count } hauteurs selon la position latérale de leur contact, en { $small }.
+computing-figure-says = Variation de { NUMBER($count) } hauteurs selon la position latérale de leur contact, en { $small }.
 computing-figure-lines = Variation de chaque hauteur dans les balayages
-computing-figure-says-lines = Variation de { $count } hauteurs dans les balayages selon la distance du contact à la caméra, en { $small }.
+computing-figure-says-lines = Variation de { NUMBER($count) } hauteurs dans les balayages selon la distance du contact à la caméra, en { $small }.
 computing-figure-x-lines = distance du contact à la caméra ({ $unit })
 computing-line-scan = balayage
 computing-figure-x = position latérale du contact ({ $unit })
@@ -1346,7 +1346,7 @@ computing-by-u = Variation / u
 computing-by-u-help = Variation divisée par l’incertitude-type précédente
 computing-review-yes = à vérifier
 computing-repeat = répétition
-computing-listed = Les { $count } plus grandes variations rapportées à u sont affichées ; l’archive les contient toutes.
+computing-listed = Les { NUMBER($count) } plus grandes variations rapportées à u sont affichées ; l’archive les contient toutes.
 computing-table = Anciennes et nouvelles hauteurs
 computing-job = tâche
 checks-again = Recalcul
@@ -1371,18 +1371,18 @@ checks-by-known_heights = hauteurs du constructeur
 checks-by-trend = tendance avec la distance
 checks-by-two_frames = mesures sur deux images
 checks-measurements = { $count ->
-    [one] { $count } mesure
-   *[other] { $count } mesures
+    [one] { NUMBER($count) } mesure
+   *[other] { NUMBER($count) } mesures
 }
 checks-other-insets = { NUMBER($count) } avec un autre retrait, hors calcul
 checks-estimate = estimation
 checks-vehicles = { $count ->
-    [one] { $count } véhicule
-   *[other] { $count } véhicules
+    [one] { NUMBER($count) } véhicule
+   *[other] { NUMBER($count) } véhicules
 }
 checks-vehicles-without = { $count ->
-    [one] { $count } véhicule
-   *[other] { $count } véhicules
+    [one] { NUMBER($count) } véhicule
+   *[other] { NUMBER($count) } véhicules
 } <without>sans { $left_out }</without>
 checks-left-out-help = Valeurs aberrantes : contrôlez leurs pointés et leurs hauteurs.
 checks-spread = { $spread } entre véhicules
@@ -1452,8 +1452,8 @@ checks-mean = Moyenne
 checks-spread-of-vehicles = Entre véhicules
 checks-used-vehicles = Utilisés
 checks-used-of = { $count ->
-    [one] { $count } véhicule sur { NUMBER($all) }
-   *[other] { $count } véhicules sur { NUMBER($all) }
+    [one] { NUMBER($count) } véhicule sur { NUMBER($all) }
+   *[other] { NUMBER($count) } véhicules sur { NUMBER($all) }
 }
 checks-turned-from = Cette pose a été pivotée de { $turned } à partir de la pose { $pose }.
 value-u = { $value } (u = { $u })
@@ -1463,8 +1463,8 @@ checks-turned-pose = Pose pivotée
 checks-turned-by = Pivotée de { $turn }
 checks-turn-no-heights = Aucune hauteur enregistrée n’utilise cette pose.
 checks-turn-heights = { $count ->
-    [one] { $count } hauteur enregistrée différerait d’au plus { $largest } si elle était repointée. Les valeurs enregistrées ne changent pas.
-   *[other] { $count } hauteurs enregistrées différeraient d’au plus { $largest } si elles étaient repointées. Les valeurs enregistrées ne changent pas.
+    [one] { NUMBER($count) } hauteur enregistrée différerait d’au plus { $largest } si elle était repointée. Les valeurs enregistrées ne changent pas.
+   *[other] { NUMBER($count) } hauteurs enregistrées différeraient d’au plus { $largest } si elles étaient repointées. Les valeurs enregistrées ne changent pas.
 }
 checks-differences = Écarts de hauteur
 checks-vehicle = Véhicule
@@ -1513,8 +1513,8 @@ measure-pass-ends = Le passage finit à cette image
 measure-pass-end = …finit ici
 measure-pass-drop = Annuler le nouveau passage
 measure-pass-frames = { $count ->
-    [one] { $count } image
-   *[other] { $count } images
+    [one] { NUMBER($count) } image
+   *[other] { NUMBER($count) } images
 }
 measure-pass-marked = Le passage commence à l’image { $frame } ; allez à sa dernière image et marquez-la aussi.
 measure-pass-new = Nouveau passage
@@ -1544,7 +1544,7 @@ measure-pass-delete-title = Supprimer le véhicule { $vehicle } ?
 measure-pass-delete-body = { $count ->
     [0] Le véhicule { $vehicle } sera supprimé. Vous pourrez annuler cette suppression.
     [one] Le véhicule { $vehicle } et sa mesure seront supprimés. Vous pourrez annuler cette suppression.
-   *[other] Le véhicule { $vehicle } et ses { $count } mesures seront supprimés. Vous pourrez annuler cette suppression.
+   *[other] Le véhicule { $vehicle } et ses { NUMBER($count) } mesures seront supprimés. Vous pourrez annuler cette suppression.
 }
 measure-pass-delete = Supprimer le passage
 measure-pass-bring-back = Rétablir le passage
@@ -1631,8 +1631,8 @@ measure-proposed-title = Propositions
 measure-proposed-contact = Contact
 measure-proposed-accept = { $count ->
     [0] Confirmer le contact
-    [one] Confirmer { $count } cible
-   *[other] Confirmer { $count } cibles
+    [one] Confirmer { NUMBER($count) } cible
+   *[other] Confirmer { NUMBER($count) } cibles
 }
 measure-proposed-accept-title = Enregistre les points proposés comme mesures, en votre nom
 measure-proposed-on-frame = Propositions sur l’image { $frame }
@@ -1764,12 +1764,12 @@ measure-second-clicked-already = Vous avez déjà utilisé cette image. Choisiss
 measure-second-expected = Attendu ici
 measure-second-expected-at = à { $speed }
 measure-frames-said = { $count ->
-    [one] D’après { $count } image
-   *[other] D’après { $count } images
+    [one] D’après { NUMBER($count) } image
+   *[other] D’après { NUMBER($count) } images
 }
 measure-frames-said-inset = { $count ->
-    [one] D’après { $count } image ; retrait { $inset } (u = { $u_inset })
-   *[other] D’après { $count } images ; retrait { $inset } (u = { $u_inset })
+    [one] D’après { NUMBER($count) } image ; retrait { $inset } (u = { $u_inset })
+   *[other] D’après { NUMBER($count) } images ; retrait { $inset } (u = { $u_inset })
 }
 measure-whole-nothing-yet = Mesurez d’abord une cible. Elle peut ensuite être suivie sur le passage.
 measure-whole-looking = Suivi des points sur le passage…
@@ -1780,12 +1780,12 @@ measure-whole-frames-used = { $used } sur { $all } utilisées
 measure-whole-speed = Vitesse
 measure-whole-wheelbase = Empattement
 measure-whole-dropped = { $count ->
-    [one] { $count } point exclu : { $reason }
-   *[other] { $count } points exclus : { $reason }
+    [one] { NUMBER($count) } point exclu : { $reason }
+   *[other] { NUMBER($count) } points exclus : { $reason }
 }
 measure-whole-look = { $count ->
-    [one] { $count } point suivi. Parcourez les images et vérifiez qu’il reste en place.
-   *[other] { $count } points suivis. Parcourez les images et vérifiez qu’ils restent en place.
+    [one] { NUMBER($count) } point suivi. Parcourez les images et vérifiez qu’il reste en place.
+   *[other] { NUMBER($count) } points suivis. Parcourez les images et vérifiez qu’ils restent en place.
 }
 measure-whole-keep = Enregistrer cette hauteur
 measure-whole-leave = Annuler
@@ -1807,13 +1807,13 @@ measure-frame-first = première
 measure-frame-remove = Retirer l’image { $frame }
 measure-frame-remove-this = Retirer cette image
 measure-frame-removed = { $count ->
-    [one] Image { $frame } retirée. Reste { $count } image.
-   *[other] Image { $frame } retirée. Restent { $count } images.
+    [one] Image { $frame } retirée. Reste { NUMBER($count) } image.
+   *[other] Image { $frame } retirée. Restent { NUMBER($count) } images.
 }
 measure-one-frame = Une image
 measure-all-frames = { $count ->
-    [one] { $count } image
-   *[other] { $count } images
+    [one] { NUMBER($count) } image
+   *[other] { NUMBER($count) } images
 }
 measure-gain-looking = { $which ->
     [second] Recherche de la meilleure deuxième image…
@@ -1840,10 +1840,10 @@ which-model-title = Modèles qui conviennent
 which-model-cannot = { $model } ne convient pas : { $differences } (mesuré moins catalogue). Si le modèle était le bon, de tels écarts auraient une probabilité de { $p } ; la limite est { $limit }.
 which-model-ranked = Classés par { $sizes }. Les hauteurs mesurées ne servent pas au classement : elles seront comparées au modèle.
 which-model-by-name = Aucune longueur de ce véhicule n’est mesurée : les modèles de sa catégorie viennent d’abord, puis l’ordre alphabétique. Pointez les deux pneus (Contrôles, Direction) pour classer par empattement.
-which-model-shown = Les { $shown } premiers sur { $count } sont affichés.
+which-model-shown = Les { $shown } premiers sur { NUMBER($count) } sont affichés.
 which-model-left-out = { $count ->
     [one] 1 modèle qui ne convient pas aux dimensions mesurées n’est pas affiché.
-   *[other] { $count } modèles qui ne conviennent pas aux dimensions mesurées ne sont pas affichés.
+   *[other] { NUMBER($count) } modèles qui ne conviennent pas aux dimensions mesurées ne sont pas affichés.
 }
 model-chosen-by-size = Le modèle a été choisi d’après ses dimensions ({ $sizes }). Ses hauteurs ne servent pas de références tant que personne n’a confirmé le modèle sur le véhicule.
 model-chosen-see = Confirmer le modèle
@@ -1906,7 +1906,7 @@ measure-known-title = Hauteurs connues
 measure-known-help = Hauteurs de l’œil, des feux ou d’un repère, mesurées au mètre ruban ou d’après une fiche technique. Les erreurs sont calculées par rapport à elles. La hauteur du toit se saisit au-dessus.
 measure-known-some = { $count ->
     [one] 1 connue
-   *[other] { $count } connues
+   *[other] { NUMBER($count) } connues
 }
 measure-known-u = u
 measure-known-source = Source
@@ -2115,8 +2115,8 @@ review-sign = { $sign ->
    *[new_operator] opérateur ayant peu de mesures
 }
 review-own-waiting = { $count ->
-    [one] { $count } de vos mesures attend un autre vérificateur.
-   *[other] { $count } de vos mesures attendent un autre vérificateur.
+    [one] { NUMBER($count) } de vos mesures attend un autre vérificateur.
+   *[other] { NUMBER($count) } de vos mesures attendent un autre vérificateur.
 }
 review-neighbours = Images voisines
 review-neighbour = Image { $frame }
@@ -2129,8 +2129,8 @@ repeats-lead = { $people ->
 }
 repeats-loading = répétabilité
 repeats-not-compared = { $count ->
-    [one] { $count } répétition est exclue
-   *[other] { $count } répétitions sont exclues
+    [one] { NUMBER($count) } répétition est exclue
+   *[other] { NUMBER($count) } répétitions sont exclues
 } : la pose de la caméra ou le retrait a changé, ou aucune hauteur n’a pu être calculée.
 repeats-click-mine = Répéter 10 de mes mesures
 repeats-click-anybodys = Répéter 10 mesures, tous opérateurs
@@ -2144,8 +2144,8 @@ repeats-no-result = Les répétitions sont gardées à part et ne changent pas l
 repeats-to-review = Aller à la vérification
 repeats-target = Cible
 repeats-items = { $count ->
-    [one] { $count } mesure
-   *[other] { $count } mesures
+    [one] { NUMBER($count) } mesure
+   *[other] { NUMBER($count) } mesures
 }
 
 ## Répétitions : le tableau des cibles
@@ -2179,13 +2179,13 @@ repeats-sigma = Incertitude de pointé utilisée
 repeats-sigma-usual = 1 px (par défaut)
 repeats-sigma-own = { $sigma_px } px (d’après les répétitions)
 repeats-sigma-from = { $count ->
-    [one] d’après { $count } répétition, choix de { $person }
-   *[other] d’après { $count } répétitions, choix de { $person }
+    [one] d’après { NUMBER($count) } répétition, choix de { $person }
+   *[other] d’après { NUMBER($count) } répétitions, choix de { $person }
 }
 repeats-sigma-use = Utiliser { $sigma_px } px
 repeats-sigma-use-title = { $count ->
-    [one] D’après les hauteurs de { $count } répétition ; les mesures existantes gardent la valeur précédente
-   *[other] D’après les hauteurs de { $count } répétitions ; les mesures existantes gardent la valeur précédente
+    [one] D’après les hauteurs de { NUMBER($count) } répétition ; les mesures existantes gardent la valeur précédente
+   *[other] D’après les hauteurs de { NUMBER($count) } répétitions ; les mesures existantes gardent la valeur précédente
 }
 repeats-sigma-needs = Il faut 10 répétitions de ses mesures
 repeats-sigma-back = Revenir à 1 px
@@ -2198,8 +2198,8 @@ anchoring-free = Propositions masquées
 anchoring-shift = Décalage dû aux propositions
 anchoring-goal = Objectif : moins de { $goal }
 anchoring-vehicles = { $count ->
-    [one] { $count } véhicule
-   *[other] { $count } véhicules
+    [one] { NUMBER($count) } véhicule
+   *[other] { NUMBER($count) } véhicules
 }
 anchoring-verdict = { $verdict ->
     [met] atteint : tout l’IC à 95 % est dans la limite
@@ -2216,8 +2216,8 @@ anchoring-counts = Propositions affichées : { $confirmed } hauteurs confirmée
 repeats-differences-title = Seconde hauteur moins la première, selon leur moyenne
 repeats-differences-note = Les barres représentent l’incertitude élargie de l’écart (U95). Environ 95 % des barres devraient contenir zéro.
 repeats-differences-label = { $count ->
-    [one] Seconde hauteur moins la première en { $small } selon leur moyenne en { $unit }, { $count } répétition
-   *[other] Seconde hauteur moins la première en { $small } selon leur moyenne en { $unit }, { $count } répétitions
+    [one] Seconde hauteur moins la première en { $small } selon leur moyenne en { $unit }, { NUMBER($count) } répétition
+   *[other] Seconde hauteur moins la première en { $small } selon leur moyenne en { $unit }, { NUMBER($count) } répétitions
 }
 repeats-differences-x = Moyenne des deux hauteurs ({ $unit })
 repeats-differences-y = Écart ({ $unit })
@@ -2227,8 +2227,8 @@ repeats-differences-y = Écart ({ $unit })
 again-loading = répétitions en aveugle
 again-place = <strong>{ $at } sur { $of }</strong> <muted>véhicule { $vehicle }, { $target }</muted>
 again-stored = { $count ->
-    [one] { $count } répétition enregistrée
-   *[other] { $count } répétitions enregistrées
+    [one] { NUMBER($count) } répétition enregistrée
+   *[other] { NUMBER($count) } répétitions enregistrées
 }
 again-stop = Arrêter
 again-undo = Annuler la dernière répétition
@@ -2323,19 +2323,19 @@ scans-fact-video = extrait d’une vidéo aux { $along ->
 } { $cut_1_px } et { $cut_2_px }
 scans-count-none = véhicules pas encore détectés
 scans-count-vehicles = { $count ->
-    [one] { $count } véhicule
-   *[other] { $count } véhicules
+    [one] { NUMBER($count) } véhicule
+   *[other] { NUMBER($count) } véhicules
 }
 scans-count-to-review = { NUMBER($count) } à vérifier
 scans-count-accepted = validés : { NUMBER($count) }
 scans-count-rejected = rejetés : { NUMBER($count) }
 scans-count-not-measurable = non mesurables : { NUMBER($count) }
 scans-count-heights = { $count ->
-    [one] { $count } hauteur
+    [one] { NUMBER($count) } hauteur
    *[other] { NUMBER($count) } hauteurs
 }
 scans-count-heights-to-review = { $count ->
-    [one] { $count } hauteur à vérifier
+    [one] { NUMBER($count) } hauteur à vérifier
    *[other] { NUMBER($count) } hauteurs à vérifier
 }
 
@@ -2633,11 +2633,11 @@ scan-axles-of = { $count ->
         [person] aucun, corrigé à la main
        *[machine] aucune roue trouvée
     }
-    [one] { $count }, { $by ->
+    [one] { NUMBER($count) }, { $by ->
         [person] corrigé à la main
        *[machine] trouvé par Sightline
     }
-   *[other] { $count }, { $by ->
+   *[other] { NUMBER($count) }, { $by ->
         [person] corrigés à la main
        *[machine] trouvés par Sightline
     }
@@ -2761,8 +2761,8 @@ scan-references-drop = Déposez un CSV ici
 scan-references-hint = Colonnes : number (ou time : 14:05:32.4), source, speed_kmh, u_speed_kmh ; ou encore length_m, u_length_m, wheelbase_m, device, run_of
 scan-references-looking = fichier
 scan-references-store = { $count ->
-    [one] Importer { $count } ligne
-   *[other] Importer { $count } lignes
+    [one] Importer { NUMBER($count) } ligne
+   *[other] Importer { NUMBER($count) } lignes
 }
 scan-references-done = Importé : { $values } { $values ->
     [one] valeur
@@ -2815,8 +2815,8 @@ scan-by-somebody = un autre utilisateur
 
 scan-profile-title = Vitesse le long du véhicule
 scan-profile-says = { $count ->
-    [one] Vitesse de { $count } bloc le long du véhicule { $vehicle } et mouvement ajusté
-   *[other] Vitesse de { $count } blocs le long du véhicule { $vehicle } et mouvement ajusté
+    [one] Vitesse de { NUMBER($count) } bloc le long du véhicule { $vehicle } et mouvement ajusté
+   *[other] Vitesse de { NUMBER($count) } blocs le long du véhicule { $vehicle } et mouvement ajusté
 }
 scan-profile-none = Pas de profil de vitesse : le véhicule n’a pas de mouvement mesuré.
 scan-profile-fitted = Mouvement ajusté
@@ -2824,8 +2824,8 @@ scan-profile-used = Bloc, utilisé
 scan-profile-left-out = Bloc, exclu
 scan-profile-note = Vitesse moyenne de chaque bloc entre les caméras.
 scan-profile-beyond = { $count ->
-    [one] { $count } bloc est hors de cette figure ; le CSV les contient tous.
-   *[other] { $count } blocs sont hors de cette figure ; le CSV les contient tous.
+    [one] { NUMBER($count) } bloc est hors de cette figure ; le CSV les contient tous.
+   *[other] { NUMBER($count) } blocs sont hors de cette figure ; le CSV les contient tous.
 }
 scan-profile-x = Temps depuis l’avant à la caméra 1 (s)
 scan-match-title = Recalage : bande 2 sur bande 1
@@ -2865,8 +2865,8 @@ scan-verdict-reopen = Rouvrir
 scan-heights = Hauteurs
 scan-heights-camera = caméra à { $height }
 scan-heights-older = { $count ->
-    [one] { $count } hauteur de ce balayage est périmée : l’étalonnage ou un retrait a changé.
-   *[other] { $count } hauteurs de ce balayage sont périmées : l’étalonnage ou un retrait a changé.
+    [one] { NUMBER($count) } hauteur de ce balayage est périmée : l’étalonnage ou un retrait a changé.
+   *[other] { NUMBER($count) } hauteurs de ce balayage sont périmées : l’étalonnage ou un retrait a changé.
 }
 scan-heights-no-pose = Les hauteurs exigent la pose de la caméra 1. Filmez un jalon à repères, ou un damier, tenu vertical à deux distances dans son plan ; pointez ensuite les repères.
 scan-heights-calibrate = Étalonner la hauteur
@@ -2900,8 +2900,8 @@ scan-height-measure-again = { $target ->
    *[other] Mesurer à nouveau : autre
 }
 scan-heights-waiting = { $count ->
-    [one] { $count } hauteur à vérifier
-   *[other] { $count } hauteurs à vérifier
+    [one] { NUMBER($count) } hauteur à vérifier
+   *[other] { NUMBER($count) } hauteurs à vérifier
 }
 scan-height-unsaved = pas encore enregistrée…
 scan-height-older = Périmée : l’étalonnage ou le retrait a changé. Recalculez.
@@ -2984,8 +2984,8 @@ scan-wish-verdict = décision sur le véhicule { $vehicle }
 scan-wish-lines = avant à la ligne { $front }, arrière à la ligne { $rear }
 scan-wish-clicked = pointé à la ligne { $line }, rangée { $row }
 scan-wish-marks = { $count ->
-    [one] { $count } repère à { $distances }
-   *[other] { $count } repères à { $distances }
+    [one] { NUMBER($count) } repère à { $distances }
+   *[other] { NUMBER($count) } repères à { $distances }
 }
 scan-wish-no-marks = aucun
 scan-wish-there = dans la liste
@@ -2993,7 +2993,7 @@ scan-wish-taken-out = retiré
 scan-wish-boundaries = bornes aux lignes { $lines }
 scan-wish-hubs = roues aux lignes { $lines }
 scan-wish-lane = voie { $lane }
-scan-wish-axles = { $count } essieux
+scan-wish-axles = { NUMBER($count) } essieux
 scan-wish-no-line = aucune
 scan-wish-nothing-known = aucune
 
@@ -3028,15 +3028,15 @@ motion-counted-of = { $vehicles } { $all ->
     [one] { $scans } balayage
    *[other] { $scans } balayages
 } ; { $left }.
-motion-left-to_review = { $count } à vérifier
+motion-left-to_review = { NUMBER($count) } à vérifier
 motion-counter-braking = freinage
 motion-left-rejected = { $count ->
-    [one] { $count } rejeté
-   *[other] { $count } rejetés
+    [one] { NUMBER($count) } rejeté
+   *[other] { NUMBER($count) } rejetés
 }
 motion-left-not_measurable = { $count ->
-    [one] { $count } n’est pas mesurable
-   *[other] { $count } ne sont pas mesurables
+    [one] { NUMBER($count) } n’est pas mesurable
+   *[other] { NUMBER($count) } ne sont pas mesurables
 }
 motion-heights-target = Cible
 motion-heights-mean = Moyenne
@@ -3046,8 +3046,8 @@ motion-heights-u95 = U95 typique
 motion-heights-to-review = À vérifier
 motion-heights-rejected = Rejetées
 motion-heights-waiting = { $count ->
-    [one] { $count } hauteur attend une décision
-   *[other] { $count } hauteurs attendent une décision
+    [one] { NUMBER($count) } hauteur attend une décision
+   *[other] { NUMBER($count) } hauteurs attendent une décision
 }
 motion-by-lengths = D’après les longueurs
 motion-by-wheelbases = D’après les empattements
@@ -3085,8 +3085,8 @@ motion-references-shared = Environ 95 % devraient être dans leur U95 composée
 motion-cars-title = Passages d’un même véhicule
 motion-cars-note = longueur et empattement doivent concorder d’un passage à l’autre
 motion-cars-runs = { $count ->
-    [one] { $count } passage : { $vehicles }.
-   *[other] { $count } passages : { $vehicles }.
+    [one] { NUMBER($count) } passage : { $vehicles }.
+   *[other] { NUMBER($count) } passages : { $vehicles }.
 }
 motion-cars-speed = Vitesse moyenne { $mean }, écart-type { $sd }.
 motion-cars-speed-one = Vitesse { $mean }.
@@ -3112,8 +3112,8 @@ motion-headway = Temps intervéhiculaire, avant à avant
 motion-percentile = P{ $percent } = { $value }
 motion-percentile-interval = P{ $percent } = { $value } ({ $low } à { $high })
 motion-spread-says = { $count ->
-    [one] Fonction de répartition de { $count } véhicule ; { $percentiles } { $unit }
-   *[other] Fonction de répartition de { $count } véhicules ; { $percentiles } { $unit }
+    [one] Fonction de répartition de { NUMBER($count) } véhicule ; { $percentiles } { $unit }
+   *[other] Fonction de répartition de { NUMBER($count) } véhicules ; { $percentiles } { $unit }
 }
 motion-spread-note = Centiles en { $unit }, avec intervalles à 95 % : { $percentiles }.
 
@@ -3132,8 +3132,8 @@ flows-loading = trafic
 flows-table = Trafic de { $scan }
 flows-table-note = Sous une valeur : son incertitude-type u (k = 1), ou son intervalle à 95 %. L’intervalle d’un débit suppose des véhicules qui arrivent indépendamment les uns des autres. « Près d’un bord », « proches » : à moins de leur U95 du début ou de la fin de la tranche, ou d’une limite de la classe ; ces véhicules sont peut-être de la voisine. Classes par longueur : les quatre des compteurs des routes principales d’Angleterre.
 flows-unplaced = { $count ->
-    [one] { $count } véhicule n’a pas été mesuré, n’a pas d’heure et n’est dans aucune tranche.
-   *[other] { $count } véhicules n’ont pas été mesurés, n’ont pas d’heure et ne sont dans aucune tranche.
+    [one] { NUMBER($count) } véhicule n’a pas été mesuré, n’a pas d’heure et n’est dans aucune tranche.
+   *[other] { NUMBER($count) } véhicules n’ont pas été mesurés, n’ont pas d’heure et ne sont dans aucune tranche.
 }
 flows-columns = Colonnes du trafic de { $scan }
 flows-columns-flow = Débit
@@ -3150,25 +3150,25 @@ flows-head-occupancy = Taux d’occ.
 flows-head-density = Concentration
 flows-head-unclassed = Sans longueur
 flows-partial = partielle
-flows-refused = refusés : { $count }
-flows-near-edge = près d’un bord : { $count }
-flows-axles = { $axles } essieux : { $count }
+flows-refused = refusés : { NUMBER($count) }
+flows-near-edge = près d’un bord : { NUMBER($count) }
+flows-axles = { $axles } essieux : { NUMBER($count) }
 flows-axles-many = 5 ou plus
-flows-near-limit = proches : { $count }
+flows-near-limit = proches : { NUMBER($count) }
 flows-u = u = { $u }
 flows-axis-time = Heure
 flows-flow = Débit
 flows-flow-of = Débit, { $scan }
-flows-flow-says = Débit de { $count } tranches ; maximum, { $flow } par heure, à partir de { $time }.
+flows-flow-says = Débit de { NUMBER($count) } tranches ; maximum, { $flow } par heure, à partir de { $time }.
 flows-flow-note = Trait épais : débit d’une tranche de { $minutes } min, sur le temps observé ; trait fin : son intervalle à 95 %.
 flows-speed = Vitesse
 flows-speed-of = Vitesse, { $scan }
-flows-speed-says = Vitesse moyenne spatiale de { $count } tranches.
+flows-speed-says = Vitesse moyenne spatiale de { NUMBER($count) } tranches.
 flows-speed-note = Trait épais : vitesse moyenne spatiale ; trait fin : du 15e au 85e centile des vitesses.
 flows-speed-none = Aucune tranche n’a de vitesse validée.
 flows-flow-by-density-of = Débit selon la concentration, { $scan }
 flows-speed-by-flow-of = Vitesse selon le débit, { $scan }
-flows-fundamental-says = Diagramme fondamental ; tranches avec une vitesse : { $count }.
+flows-fundamental-says = Diagramme fondamental ; tranches avec une vitesse : { NUMBER($count) }.
 flows-fundamental-note = Chaque point est une tranche ; point vide : tranche observée en partie seulement. La concentration est le débit divisé par la vitesse moyenne spatiale.
 unit-per-hour = 1/h
 unit-per-km = 1/km
@@ -3198,7 +3198,7 @@ statistics-lead = Erreurs par rapport aux hauteurs du constructeur et distributi
 statistics-loading = statistiques
 statistics-by-size = { $count ->
     [one] 1 toit n’a pas de hauteur de référence car son modèle a été choisi d’après ses dimensions.
-   *[other] { $count } toits n’ont pas de hauteur de référence car leurs modèles ont été choisis d’après leurs dimensions.
+   *[other] { NUMBER($count) } toits n’ont pas de hauteur de référence car leurs modèles ont été choisis d’après leurs dimensions.
 }
 statistics-counted = { $measurements ->
     [one] { $measurements } mesure
@@ -3237,8 +3237,8 @@ statistics-to-review = Aller à la vérification
 statistics-show-to-review = Inclure les non vérifiées
 statistics-to-measure = Mesurer des véhicules
 statistics-none-accepted = { $count ->
-    [one] Seules les mesures validées comptent, et { $count } mesure attend sa vérification.
-   *[other] Seules les mesures validées comptent, et { $count } mesures attendent leur vérification.
+    [one] Seules les mesures validées comptent, et { NUMBER($count) } mesure attend sa vérification.
+   *[other] Seules les mesures validées comptent, et { NUMBER($count) } mesures attendent leur vérification.
 }
 statistics-none-filtered = Aucune mesure ne correspond au filtre. Effacez-le ou modifiez-le.
 statistics-none = Mesurez des véhicules et faites vérifier les mesures ; leurs chiffres apparaîtront ici.
@@ -3272,8 +3272,8 @@ statistics-rounding-cm = cm entiers (Dupuis et al.)
 statistics-rounding-none = sans arrondi
 statistics-filter-surveys = Relevés
 statistics-filter-surveys-some = { $count ->
-    [one] { $count } relevé
-   *[other] { $count } relevés
+    [one] { NUMBER($count) } relevé
+   *[other] { NUMBER($count) } relevés
 }
 statistics-filter-surveys-none = tous les relevés
 statistics-filter-surveys-help = Relevés pris en compte ; aucun choix : tous
@@ -3291,7 +3291,7 @@ stat-variance-shares-need = Des parts de la variance demandent au moins { $least
 stat-errors-alike = Toutes les erreurs sont égales ; il n’y a pas de variance à partager.
 stat-reference-explains-all = L’incertitude des hauteurs de référence explique toute la variance des erreurs : il ne reste rien pour la mesure.
 stat-reference-explains = L’incertitude des hauteurs de référence explique { $share } % de la variance des erreurs ; { SMALL($camera_sd_m, digits: 0) } restent pour la mesure.
-stat-shifted = L’erreur signée moyenne de { $count } véhicules de hauteur connue, { SMALL($mean_m, digits: 1) }, a été retranchée de chaque hauteur (comme dans Dupuis et al.).
+stat-shifted = L’erreur signée moyenne de { NUMBER($count) } véhicules de hauteur connue, { SMALL($mean_m, digits: 1) }, a été retranchée de chaque hauteur (comme dans Dupuis et al.).
 stat-by-inset = Chaque hauteur est corrigée du retrait de sa mesure ; aucune autre correction n’est faite.
 stat-correction-needs = Cette correction demande au moins { $least } véhicules à hauteur de référence ; { stat-there-are }.
 stat-known-alike = Les véhicules de hauteur connue ont tous la même hauteur : leur erreur n’a pas de tendance avec elle.
@@ -3321,19 +3321,19 @@ stat-alone = { $part } seulement
 stat-too-few-errors = trop peu d’erreurs différentes pour un intervalle par bootstrap
 stat-no-value = Aucun véhicule n’a cette valeur.
 stat-group-empty = aucun véhicule dans ce groupe
-stat-regressed = La régression de l’erreur sur la hauteur mesurée de { $count } véhicules ({ SMALL($intercept_m, digits: 1) } à la hauteur 0 et { $slope } mm de plus par m) a été retranchée de chaque hauteur.
+stat-regressed = La régression de l’erreur sur la hauteur mesurée de { NUMBER($count) } véhicules ({ SMALL($intercept_m, digits: 1) } à la hauteur 0 et { $slope } mm de plus par m) a été retranchée de chaque hauteur.
 stat-extrapolated = { $outside } % des hauteurs sont hors des { NUMBER($low_m, minimumFractionDigits: 2) } à { NUMBER($high_m, minimumFractionDigits: 2) } m sur lesquels s’appuie la régression : la correction y extrapole et n’est pas fiable.
 stat-there-are = { $count ->
     [0] il n’y en a aucun
-   *[other] il y en a { $count }
+   *[other] il y en a { NUMBER($count) }
 }
 stat-too-few = { $count ->
-    [one] { $count } véhicule ne suffit pas pour un intervalle ; il en faut { $needed }
-   *[other] { $count } véhicules ne suffisent pas pour un intervalle ; il en faut { $needed }
+    [one] { NUMBER($count) } véhicule ne suffit pas pour un intervalle ; il en faut { $needed }
+   *[other] { NUMBER($count) } véhicules ne suffisent pas pour un intervalle ; il en faut { $needed }
 }
 stat-too-few-of-spread = { $count ->
-    [one] { $count } véhicule ne suffit pas pour un intervalle de MAE, RMSE et écart-type ; il en faut { $needed }
-   *[other] { $count } véhicules ne suffisent pas pour un intervalle de MAE, RMSE et écart-type ; il en faut { $needed }
+    [one] { NUMBER($count) } véhicule ne suffit pas pour un intervalle de MAE, RMSE et écart-type ; il en faut { $needed }
+   *[other] { NUMBER($count) } véhicules ne suffisent pas pour un intervalle de MAE, RMSE et écart-type ; il en faut { $needed }
 }
 stat-holding-sites = { $parts } ; ils valent pour des routes comme celles de ces sites
 stat-holding-place = { $parts } ; ils valent pour le seul site du relevé
@@ -3373,7 +3373,7 @@ statistics-bland-altman = Bland et Altman : limites de concordance { $lower } (
 
 ## Exemples : fichiers pour essayer
 
-samples-pictures = Pour essayer : { $count } photos de laboratoire dans un ZIP (décompressez-le ; la mire a { $columns } × { $rows } coins intérieurs, cases de { $square })
+samples-pictures = Pour essayer : { NUMBER($count) } photos de laboratoire dans un ZIP (décompressez-le ; la mire a { $columns } × { $rows } coins intérieurs, cases de { $square })
 samples-clip = Pour essayer : la vidéo de la démonstration
 samples-catalogue = Pour essayer : un catalogue de modèles inventés
 
@@ -3413,8 +3413,8 @@ statistics-signed-error = Erreur signée ({ $unit })
 statistics-density-y = Part des véhicules (% par { $unit })
 statistics-trend-title = Erreur selon la hauteur du constructeur
 statistics-trend-says = Erreur signée en fonction de la hauteur du constructeur, { $count ->
-    [one] { $count } véhicule
-   *[other] { $count } véhicules
+    [one] { NUMBER($count) } véhicule
+   *[other] { NUMBER($count) } véhicules
 }.
 statistics-trend-nothing = Rien à tracer : aucun véhicule n’a de hauteur de référence.
 statistics-trend-x = Hauteur du constructeur ({ $unit })
@@ -3425,29 +3425,29 @@ statistics-trend-absolute = Erreur absolue : r = { $correlation }.
 ## Statistiques : une cible
 
 statistics-heights = { $count ->
-    [one] { $count } hauteur
-   *[other] { $count } hauteurs
+    [one] { NUMBER($count) } hauteur
+   *[other] { NUMBER($count) } hauteurs
 }
 statistics-heights-mean = { $count ->
-    [one] { $count } hauteur, moyenne corrigée { $mean }
-   *[other] { $count } hauteurs, moyenne corrigée { $mean }
+    [one] { NUMBER($count) } hauteur, moyenne corrigée { $mean }
+   *[other] { NUMBER($count) } hauteurs, moyenne corrigée { $mean }
 }
 statistics-heights-mean-sd = { $count ->
-    [one] { $count } hauteur, moyenne corrigée { $mean }, écart-type { $sd }
-   *[other] { $count } hauteurs, moyenne corrigée { $mean }, écart-type { $sd }
+    [one] { NUMBER($count) } hauteur, moyenne corrigée { $mean }, écart-type { $sd }
+   *[other] { NUMBER($count) } hauteurs, moyenne corrigée { $mean }, écart-type { $sd }
 }
 statistics-curve-raw = non corrigée
 statistics-curve-corrected = corrigée
 statistics-legend-raw = non corrigée (retrait = 0)
 statistics-target-ecdf-title = { $target }, répartition
 statistics-target-ecdf-says = Fonction de répartition des hauteurs, { $target }, non corrigées et corrigées, { $count ->
-    [one] { $count } véhicule
-   *[other] { $count } véhicules
+    [one] { NUMBER($count) } véhicule
+   *[other] { NUMBER($count) } véhicules
 }
 statistics-target-ecdf-note = Bande : 95 %, simultanée (DKW).
 statistics-target-ecdf-away = { $count ->
-    [one] { $count } norme hors échelle.
-   *[other] { $count } normes hors échelle.
+    [one] { NUMBER($count) } norme hors échelle.
+   *[other] { NUMBER($count) } normes hors échelle.
 }
 statistics-target-nothing = Rien à tracer : aucune hauteur de cette cible ne correspond au filtre.
 statistics-height-x = Hauteur au-dessus de la chaussée ({ $unit })
@@ -3507,8 +3507,8 @@ statistics-percentiles-true = Hauteurs vraies ({ $unit })
 statistics-percentiles-total = Hauteurs vraies : l’erreur de mesure aléatoire est retirée de la dispersion. Leurs intervalles à 95 % comprennent { $words }.
 statistics-percentiles-note = Les autres intervalles à 95 % ne comprennent que l’échantillonnage.
 statistics-percentiles-without = { $count ->
-    [one] Pourquoi { $count } centile n’a pas d’intervalle
-   *[other] Pourquoi { $count } centiles n’ont pas d’intervalle
+    [one] Pourquoi { NUMBER($count) } centile n’a pas d’intervalle
+   *[other] Pourquoi { NUMBER($count) } centiles n’ont pas d’intervalle
 }
 statistics-percentiles-reason = { $percentiles } : { $reason }.
 
@@ -3517,7 +3517,7 @@ statistics-percentiles-reason = { $percentiles } : { $reason }.
 statistics-lateral-title = Position latérale
 statistics-lateral-note = Distance du contact du pneu à la caméra, mesurée en travers de la route ; une valeur par véhicule, la médiane de ses contacts. Une voie regroupe tout le trafic qui va dans un même sens à l’image.
 statistics-lateral-figure = Position latérale par voie
-statistics-lateral-says = Fonctions de répartition de la distance à la caméra en travers de la route, pour { $count } voies.
+statistics-lateral-says = Fonctions de répartition de la distance à la caméra en travers de la route, pour { NUMBER($count) } voies.
 statistics-lateral-x = Distance à la caméra en travers de la route ({ $unit })
 statistics-lateral-none = Aucun véhicule n’a encore de sens : il n’y a donc pas de voies. La détection des passages le renseigne, ou indiquez-le dans le panneau du véhicule.
 statistics-lateral-vehicles = Véhicules
@@ -3553,8 +3553,8 @@ statistics-groups-says = Fonctions de répartition des hauteurs, { $target }, pa
     [site] site
    *[operator] opérateur
 }, { $count ->
-    [one] { $count } groupe
-   *[other] { $count } groupes
+    [one] { NUMBER($count) } groupe
+   *[other] { NUMBER($count) } groupes
 }
 statistics-groups-note = Les { NUMBER($count) } plus grands groupes sur { NUMBER($all) } ; le tableau en donne { NUMBER($listed) }.
 statistics-groups-nothing = { $grouping ->
@@ -3903,14 +3903,14 @@ survey-traffic-unsaid = Le côté de circulation et la position de la caméra ne
 survey-traffic-say = Définir
 overview-calibrated = { $count ->
     [one] Une caméra étalonnée.
-   *[other] { $count } caméras étalonnées.
+   *[other] { NUMBER($count) } caméras étalonnées.
 }
 overview-calibrate = Étalonnez la caméra à partir de photos du damier, ou importez un étalonnage.
 overview-add-camera = Ajoutez une caméra et étalonnez-la.
-overview-ready = Enregistrements prêts : { $count } sur { NUMBER($all) }.
+overview-ready = Enregistrements prêts : { NUMBER($count) } sur { NUMBER($all) }.
 overview-confirm = { $count ->
     [one] Confirmez la luminosité et le début de 1 enregistrement.
-   *[other] Confirmez la luminosité et le début de { $count } enregistrements.
+   *[other] Confirmez la luminosité et le début de { NUMBER($count) } enregistrements.
 }
 overview-not-imported = Un enregistrement n’a pas pu être importé ; voyez le motif et envoyez-en un autre.
 overview-importing = Attendez que l’enregistrement soit importé.
@@ -3918,79 +3918,79 @@ overview-drop-video = Déposez ici la vidéo du jour.
 overview-posed = Chaque enregistrement a sa pose de la caméra.
 overview-mark-board = { $count ->
     [one] Marquez les images où la mire est immobile dans un enregistrement.
-   *[other] Marquez les images où la mire est immobile dans { $count } enregistrements.
+   *[other] Marquez les images où la mire est immobile dans { NUMBER($count) } enregistrements.
 }
 overview-mark-board-later = Marquez les images où la mire est immobile, dès qu’un enregistrement est prêt.
 overview-find-vehicles = Détectez les véhicules et mesurez sur chacun les cibles du relevé.
 overview-measured = { $count ->
     [one] Le véhicule est mesuré ou non visible.
-   *[other] Les { $count } véhicules sont mesurés ou non visibles.
+   *[other] Les { NUMBER($count) } véhicules sont mesurés ou non visibles.
 }
-overview-measure = Véhicules à mesurer : { NUMBER($left) } sur { $count }.
+overview-measure = Véhicules à mesurer : { NUMBER($left) } sur { NUMBER($count) }.
 overview-not-visible = { $count ->
     [one] Une cible non visible.
-   *[other] { $count } cibles non visibles.
+   *[other] { NUMBER($count) } cibles non visibles.
 }
 overview-review = { $count ->
     [one] Vérifiez une mesure.
-   *[other] Vérifiez { $count } mesures.
+   *[other] Vérifiez { NUMBER($count) } mesures.
 }
 overview-review-line-heights = { $count ->
     [one] Vérifiez 1 hauteur de balayages.
-   *[other] Vérifiez { $count } hauteurs de balayages.
+   *[other] Vérifiez { NUMBER($count) } hauteurs de balayages.
 }
 overview-remeasure = { $count ->
     [one] Mesurez à nouveau une mesure rejetée.
-   *[other] Mesurez à nouveau { $count } mesures rejetées.
+   *[other] Mesurez à nouveau { NUMBER($count) } mesures rejetées.
 }
 overview-remeasure-line-heights = { $count ->
     [one] Mesurez à nouveau une hauteur de balayages rejetée.
-   *[other] Mesurez à nouveau { $count } hauteurs de balayages rejetées.
+   *[other] Mesurez à nouveau { NUMBER($count) } hauteurs de balayages rejetées.
 }
 overview-accepted = Validées : { $count ->
-    [one] { $count } mesure
-   *[other] { $count } mesures
+    [one] { NUMBER($count) } mesure
+   *[other] { NUMBER($count) } mesures
 }, { $scans ->
     [one] 1 hauteur de balayages.
    *[other] { NUMBER($scans) } hauteurs de balayages.
 }
 overview-reviewed = { $count ->
     [one] Une mesure vérifiée.
-   *[other] { $count } mesures vérifiées.
+   *[other] { NUMBER($count) } mesures vérifiées.
 }
 overview-nothing-to-review = Rien à vérifier pour l’instant.
 overview-packages = { $count ->
     [one] Une archive créée.
-   *[other] { $count } archives créées.
+   *[other] { NUMBER($count) } archives créées.
 }
 overview-build-package = Créez l’archive des résultats.
 overview-no-scans = Aucun ici. Deux caméras linéaires séparées d’une base connue donnent la vitesse, la longueur et les intervalles.
 overview-scans-not-imported = { $count ->
     [one] Un balayage n’a pas pu être importé ; voyez le motif et réessayez.
-   *[other] { $count } balayages n’ont pas pu être importés ; voyez le motif et réessayez.
+   *[other] { NUMBER($count) } balayages n’ont pas pu être importés ; voyez le motif et réessayez.
 }
 overview-scans-importing = { $count ->
     [one] Import en cours : un balayage.
-   *[other] Import en cours : { $count } balayages.
+   *[other] Import en cours : { NUMBER($count) } balayages.
 }
 overview-scans-find = { $count ->
     [one] Détectez les véhicules d’un balayage.
-   *[other] Détectez les véhicules de { $count } balayages.
+   *[other] Détectez les véhicules de { NUMBER($count) } balayages.
 }
 overview-scans-review = { $open ->
-    [one] Vérifiez { NUMBER($open) } véhicule sur { $count }.
-   *[other] Vérifiez { NUMBER($open) } véhicules sur { $count }.
+    [one] Vérifiez { NUMBER($open) } véhicule sur { NUMBER($count) }.
+   *[other] Vérifiez { NUMBER($open) } véhicules sur { NUMBER($count) }.
 }
 overview-scans-review-heights = { $open ->
-    [one] Vérifiez { NUMBER($open) } hauteur sur { $count }.
-   *[other] Vérifiez { NUMBER($open) } hauteurs sur { $count }.
+    [one] Vérifiez { NUMBER($open) } hauteur sur { NUMBER($count) }.
+   *[other] Vérifiez { NUMBER($open) } hauteurs sur { NUMBER($count) }.
 }
 overview-scans-accepted = { $all ->
-    [one] Véhicules validés : { $count } sur 1 détecté.
-   *[other] Véhicules validés : { $count } sur { NUMBER($all) } détectés.
+    [one] Véhicules validés : { NUMBER($count) } sur 1 détecté.
+   *[other] Véhicules validés : { NUMBER($count) } sur { NUMBER($all) } détectés.
 }
-overview-scans-not-measurable = Non mesurables : { $count } ; voyez les motifs.
-overview-line-heights-accepted = Hauteurs validées : { $count } sur { NUMBER($all) }.
+overview-scans-not-measurable = Non mesurables : { NUMBER($count) } ; voyez les motifs.
+overview-line-heights-accepted = Hauteurs validées : { NUMBER($count) } sur { NUMBER($all) }.
 survey-scans-none = <link>Balayages</link> : { $summary }
 survey-scans-label = Balayages linéaires, à part de ces étapes
 survey-scan-results = <link>Mouvement</link> : vitesses, intervalles, longueurs par rapport à celles du constructeur.
@@ -4055,7 +4055,7 @@ photographs-title = Photos de l’installation
 photographs-help = Le dispositif, la route, la mire en place. Affichées dans le rapport et l’archive.
 photographs-choose = Choisir des photos à ajouter
 photographs-drop = Déposez des photos ici, ou choisissez-les
-photographs-adding = Ajout de { $count }…
+photographs-adding = Ajout de { NUMBER($count) }…
 photographs-hint = JPEG, PNG, WebP ou TIFF. Réduites à 1600 px ; données de localisation retirées.
 photographs-open = Ouvrir { $photograph }
 photographs-what = Ce qu’elle montre
@@ -4104,12 +4104,12 @@ studies-not-computed = non calculée
 study-loading = étude
 study-simulated = simulée
 study-none-counts = { $name } n’a pas de hauteur validée qui compte ; il ne contribue pas.
-study-versions = Les archives viennent de { $count } versions aux tables identiques : { $versions }.
+study-versions = Les archives viennent de { NUMBER($count) } versions aux tables identiques : { $versions }.
 study-one-site = Un seul site : les intervalles ne valent que pour lui.
-study-outside-sample = { $count } hauteurs validées sont de véhicules hors de l’échantillon de leur relevé ; elles ne comptent pas.
-study-without-class = { $count } hauteurs ({ $target }) n’ont pas de classe du parc ; elles ne comptent pas.
+study-outside-sample = { NUMBER($count) } hauteurs validées sont de véhicules hors de l’échantillon de leur relevé ; elles ne comptent pas.
+study-without-class = { NUMBER($count) } hauteurs ({ $target }) n’ont pas de classe du parc ; elles ne comptent pas.
 study-all-simulated = Simulée : aucune valeur ne décrit des routes réelles.
-study-some-simulated = { $count } relevés sur { NUMBER($surveys) } sont simulés : aucun chiffre de l’étude ne dit rien de routes réelles.
+study-some-simulated = { NUMBER($count) } relevés sur { NUMBER($surveys) } sont simulés : aucun chiffre de l’étude ne dit rien de routes réelles.
 study-heights-needed = ses chiffres demandent au moins { $least } hauteurs
 study-no-weights = aucun poids ne satisfait à la fois toutes les parts du parc
 study-one-site-of-stratum = { $stratum } n’a qu’un site : réunissez-la à une autre strate, pour que l’écart entre sites puisse être estimé
@@ -4264,8 +4264,8 @@ account-password-present = Mot de passe actuel
 account-password-new = Nouveau mot de passe
 account-password-hint = Au moins { NUMBER($least) } caractères ; quelques mots à la suite se retiennent facilement.
 account-password-short = { $count ->
-    [one] Il a { $count } caractère ; il en faut au moins { NUMBER($least) }.
-   *[other] Il a { $count } caractères ; il en faut au moins { NUMBER($least) }.
+    [one] Il a { NUMBER($count) } caractère ; il en faut au moins { NUMBER($least) }.
+   *[other] Il a { NUMBER($count) } caractères ; il en faut au moins { NUMBER($least) }.
 }
 account-password-again = Confirmer le mot de passe
 account-password-differs = Les mots de passe diffèrent. Saisissez deux fois le nouveau.
@@ -4381,8 +4381,8 @@ audit-hash-first = { $hash }, premier événement
 audit-check = Contrôler la chaîne
 audit-whole-title = La chaîne est intacte
 audit-whole = { $count ->
-    [one] { $count } événement contrôlé ; la dernière empreinte est <code>{ $hash }</code>.
-   *[other] { $count } événements contrôlés ; la dernière empreinte est <code>{ $hash }</code>.
+    [one] { NUMBER($count) } événement contrôlé ; la dernière empreinte est <code>{ $hash }</code>.
+   *[other] { NUMBER($count) } événements contrôlés ; la dernière empreinte est <code>{ $hash }</code>.
 }
 audit-event-missing = L’événement d’audit { $number } de { $chain } manque ; restaurez une sauvegarde.
 audit-event-changed = L’événement d’audit { $number } de { $chain } a été modifié après son écriture ; restaurez une sauvegarde.
@@ -4687,7 +4687,7 @@ height-pass-few-frames = Suivi { $point ->
         [contact] du contact
         [second_contact] du second contact
        *[target] de la cible
-    } sur { $count } images utilisables seulement ; il en faut { $needed }.
+    } sur { NUMBER($count) } images utilisables seulement ; il en faut { $needed }.
 height-pass-short = Suivi { $point ->
         [contact] du contact
         [second_contact] du second contact
@@ -4772,11 +4772,11 @@ drift-moved-height = { $how ->
    *[drifted] La caméra a dérivé
  } à { $clock } (image { $frame }) de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (erreur de hauteur jusqu’à { SMALL($error_m, digits: 0) } sur la route la plus proche dans l’image, différente à d’autres distances), images { $first } à { $last }.
 drift-more = { $count ->
-    [one] { $count } autre mouvement.
-   *[other] { $count } autres mouvements.
+    [one] { NUMBER($count) } autre mouvement.
+   *[other] { NUMBER($count) } autres mouvements.
   }
 drift-near = Les erreurs de hauteur sont celles d’une cible de { $target_m } m de haut, à { $distance_m } m de la caméra, perpendiculairement à la route.
-drift-few-points = Seuls { $count } points du fond sont retrouvés, ou tous dans une même partie de l’image ; elle est trop sombre, masquée, ou montre une autre vue.
+drift-few-points = Seuls { NUMBER($count) } points du fond sont retrouvés, ou tous dans une même partie de l’image ; elle est trop sombre, masquée, ou montre une autre vue.
 drift-no-frame = Aucune image n’a été examinée.
 drift-no-such-frame = L’enregistrement n’a pas cette image.
 drift-nothing-in-pose-frame = L’image de la pose de la caméra n’a rien qui puisse être suivi ; elle est trop sombre ou trop peu contrastée.
@@ -4787,7 +4787,7 @@ drift-no-target = Aucune cible haute de { $target_m } m sur la route entre 3 et 
 cameras-charuco-incomplete = Une mire ChArUco demande le dictionnaire de ses marqueurs, le côté d’un marqueur et le côté d’une case ; indiquez les trois.
 cameras-checkerboard-without-markers = Un damier simple n’a pas de marqueurs ; choisissez ChArUco comme type de mire, ou omettez dictionnaire et marqueur.
 cameras-frames-outside = Les images { $first } à { $last } ne sont pas dans l’enregistrement ; il a les images 0 à { $frame_count }.
-cameras-too-many-views = Une image sur { $every } donnerait { $count } vues ; prenez une image sur { $least } ou moins.
+cameras-too-many-views = Une image sur { $every } donnerait { NUMBER($count) } vues ; prenez une image sur { $least } ou moins.
 cameras-not-text = { $file_name } n’est pas un fichier texte ; choisissez un étalonnage en YAML, JSON ou cameramodel.
 cameras-not-a-file = { $path } n’est pas un fichier ; indiquez des fichiers de photos ou une vidéo.
 cameras-still-without-tracks = { $path } est une photo, pas une vidéo à plusieurs pistes ; retirez --stream.
@@ -4873,7 +4873,7 @@ backup-damaged-none-before = { $problem } Aucune sauvegarde n’a été faite 
 backup-no-earlier = { $folder } ne contient qu’une sauvegarde ; omettez --earlier.
 backup-media-missing = { $count ->
     [one] La sauvegarde est complète, mais un fichier média que la base nomme n’est pas dans le stockage des médias : { $names }
-   *[other] La sauvegarde est complète, mais { $count } fichiers médias que la base nomme ne sont pas dans le stockage des médias, par exemple { $names }
+   *[other] La sauvegarde est complète, mais { NUMBER($count) } fichiers médias que la base nomme ne sont pas dans le stockage des médias, par exemple { $names }
  } ; cherchez dans une sauvegarde antérieure.
 
 commands-no-database = Aucune base de données dans { $path } ; nommez son dossier avec --data-dir.
@@ -4907,8 +4907,8 @@ export-frame-not-clicked = L’image { $frame } de la vidéo stockée n’est pa
 export-format-not-known = L’archive a le format { $format }, que cette version de Sightline ne connaît pas ; vérifiez-la avec { $program } ou une version ultérieure.
 export-made-by-another-version = Faite par la version { $program } ; celle-ci est { $mine }.
 export-described-otherwise = datapackage.json énumère chaque fichier avec sa taille et son empreinte ; ses descriptions { $count ->
-    [one] de { $count } fichier
-   *[other] de { $count } fichiers
+    [one] de { NUMBER($count) } fichier
+   *[other] de { NUMBER($count) } fichiers
   } (et : { $names }) sont celles de cette version-là ; couvertes par le sceau, non comparées.
 export-statistics-sealed-only = Les statistiques diffèrent de celles de cette version, car une autre version les a calculées ; couvertes par le sceau, non comparées (première différence : { $difference })
 export-drawings-sealed-only = Figures, rapport et README ont été faits par une autre version ; couverts par le sceau, non comparés.
@@ -4916,7 +4916,7 @@ export-page-sealed-only = La page a été faite par une autre version : ses tab
 export-words-sealed-only = Motifs et remarques ont été mis en mots par une autre version : leurs codes ont été comparés ; les mots sont couverts par le sceau, non comparés.
 export-heights-of-another-version = { $count ->
     [one] Un nombre calculé par une autre version diffère
-   *[other] { $count } nombres calculés par d’autres versions diffèrent
+   *[other] { NUMBER($count) } nombres calculés par d’autres versions diffèrent
   } de ce que calcule cette version ; couverts par la chaîne d’audit, non comparés (premier : { $first })
 export-statistics-file-added = { $strange } ne découle pas de ces statistiques ; ajouté après coup.
 export-crop-added = { $there } n’est dans aucune ligne de crops.csv ; ajouté après coup.
@@ -4935,14 +4935,14 @@ export-too-rows-changed = { $path } a { $value ->
 export-drawn-file-differs = { $path } n’est pas celui que donnent ces lignes et statistiques ; il a été remplacé.
 export-line-differs = { $path }, ligne { $at } : { $name } vaut { $told }, les lignes donnent { $found } ; l’un des deux est faux.
 export-crop-missing = { $path } manque ou est nommé deux fois dans crops.csv ; reprenez l’export complet.
-export-head-too-short = La tête d’audit est trop courte ({ $count } caractères). Indiquez-en au moins { $least_of_head }.
+export-head-too-short = La tête d’audit est trop courte ({ NUMBER($count) } caractères). Indiquez-en au moins { $least_of_head }.
 export-head-differs = audit.csv finit par { $head }, non par la tête d’audit indiquée : il a été réécrit, ou c’est un autre export.
 export-no-checksums = { $checksums } manque : ce n’est pas un export complet ; exportez à nouveau le relevé.
 export-package-is-inside = L’archive est un niveau plus bas, dans { $inner } ; indiquez ce dossier.
 export-read-only = { $folder } est en lecture seule. Chaque export est inscrit au journal d’audit ; copiez le dossier sur un disque inscriptible et exportez de là.
 export-stray-files = { $count ->
     [one] Le système a ajouté un fichier à ceux de l’archive : { $names }
-   *[other] Le système a ajouté { $count } fichiers à ceux de l’archive : { $names }
+   *[other] Le système a ajouté { NUMBER($count) } fichiers à ceux de l’archive : { $names }
  }. Supprimez ce qui est nommé ici et relancez le contrôle ; aucun fichier de l’archive n’a encore été examiné.
 export-zip-in-zip = { $place } contient { $inner } ; décompressez-le et indiquez celui-là.
 export-checksums-no-list = { $checksums } n’est pas une liste d’empreintes : il a été modifié ou coupé après l’export ; reprenez l’export complet.
@@ -4991,7 +4991,7 @@ geometry-matrix-form = { $file_name } : la matrice de caméra doit être de 3x3
 geometry-matrix-skew = { $file_name } : la matrice de caméra a une obliquité, non prise en charge ; étalonnez sans elle.
 geometry-camera-not-named = { $file_name } ne contient pas de caméra « { $which } » ; il contient { $cameras }.
 geometry-key-written-twice = { $file_name } contient deux fois la clé « { $key } » ; ne laissez que celle qui vaut.
-geometry-rows-contradict = { $file_name } : { $what } annonce { $rows } lignes et { $columns } colonnes mais contient { $count } nombres ; exportez à nouveau le fichier.
+geometry-rows-contradict = { $file_name } : { $what } annonce { $rows } lignes et { $columns } colonnes mais contient { NUMBER($count) } nombres ; exportez à nouveau le fichier.
 geometry-camera-not-calibrated = { $file_name } : la matrice de la caméra ne contient que des 0, ce par quoi un pilote indique que la caméra n’est pas étalonnée ; étalonnez-la d’abord.
 geometry-roi-contradicts-size = { $file_name } : la partie de l’image (roi) ne tient pas dans la taille de l’image ; indiquez le camera_info d’images entières.
 geometry-focal-implausible = { $file_name } : une distance focale de { $focal } n’est pas plausible pour des images larges de { $width } px ; elle doit être en pixels.
@@ -4999,18 +4999,18 @@ geometry-lens-turns-back = { $file_name } : avec ces coefficients de distorsion
 geometry-model-unsupported = { $file_name } : le modèle de caméra « { $camera_model } » n’est pas pris en charge ; étalonnez en sténopé.
 geometry-intrinsics-count = { $file_name } : intrinsics doit contenir quatre nombres, fu fv pu pv.
 geometry-lens-unsupported = { $file_name } : le modèle d’objectif { $word } n’est pas pris en charge ; convertissez-le avec mrcal-convert-lensmodel en LENSMODEL_OPENCV8.
-geometry-needs-intrinsics-file = { $file_name } : { $word } demande { $value } paramètres intrinsèques, le fichier en a { $count }.
+geometry-needs-intrinsics-file = { $file_name } : { $word } demande { $value } paramètres intrinsèques, le fichier en a { NUMBER($count) }.
 geometry-no-image-size = { $file_name } n’indique pas la taille des images ; ajoutez-y image_width et image_height.
 geometry-focal-not-positive = { $file_name } : les focales doivent être des nombres positifs de pixels.
 geometry-principal-point-outside = { $file_name } : le point principal est très en dehors de l’image ; corrigez la taille d’image.
 geometry-thin-prism = { $file_name } : les coefficients de prisme mince et d’inclinaison ne sont pas pris en charge ; étalonnez avec huit au plus.
-geometry-distortion-count = { $file_name } : { $count } coefficients de distorsion ; 4, 5 ou 8 sont pris en charge.
+geometry-distortion-count = { $file_name } : { NUMBER($count) } coefficients de distorsion ; 4, 5 ou 8 sont pris en charge.
 geometry-camera-unreadable = { $file_name } n’est pas un fichier de caméra lisible ; indiquez un YAML ou JSON OpenCV, un camera_info ROS, un camchain Kalibr ou un .cameramodel mrcal.
 geometry-not-numbers = { $file_name } : { $what } n’est pas une liste de nombres ; exportez à nouveau le fichier.
 geometry-size-not-two = { $file_name } : la taille d’image doit comporter deux nombres, largeur et hauteur.
 geometry-camera-info-binned = { $file_name } : { $key } vaut { $data } ; indiquez le camera_info d’images sans regroupement de pixels.
-geometry-fisheye-count = { $file_name } : un modèle fisheye demande quatre coefficients, le fichier en a { $count }.
-geometry-board-not-found = La mire n’a été trouvée dans aucune des { $count } images. { $reason }
+geometry-fisheye-count = { $file_name } : un modèle fisheye demande quatre coefficients, le fichier en a { NUMBER($count) }.
+geometry-board-not-found = La mire n’a été trouvée dans aucune des { NUMBER($count) } images. { $reason }
 geometry-pose-misfit = Aucune pose ne convient aux coins ; vérifiez que le fichier de caméra est celui de cet enregistrement et que toute la mire est dans le rayon de validité de l’objectif.
 geometry-heights-not-numbers = La hauteur de référence et les incertitudes de la mire doivent être des nombres, en mètres et radians, les incertitudes non négatives.
 geometry-row-height-implausible = Une rangée de référence à { $height_m } m au-dessus de la chaussée n’est pas plausible ; indiquez en mètres la hauteur au-dessus de la chaussée de la rangée de coins intérieurs « { $side } ».
@@ -5165,7 +5165,7 @@ linescan-strips-differ = Les bandes diffèrent : { $shape } et { $shape_2 } lig
 linescan-cannot-used-give = { $name } de { $value } { $unit } est inutilisable ; indiquez de { $least } à { $most } { $unit }.
 line-pose-mark-incomplete = Chaque repère a besoin d’une distance, d’une hauteur et d’une rangée.
 line-pose-not-numbers = Les distances, hauteurs et rangées des repères doivent être des nombres.
-line-pose-too-few = { $count } repères ne suffisent pas ; pointez-en au moins { $least }.
+line-pose-too-few = { NUMBER($count) } repères ne suffisent pas ; pointez-en au moins { $least }.
 line-pose-above-zero = Les distances des repères et la u de leurs rangées doivent être supérieures à 0.
 line-pose-upside-down = Les repères les plus hauts doivent avoir les rangées les plus petites ; contrôlez le sens du jalon.
 line-pose-open = Les repères ne déterminent pas la hauteur de la caméra : tenez le jalon vertical à deux distances, par exemple aux bords proche et éloigné de la voie.
@@ -5195,7 +5195,7 @@ linescan-lane-rows-order = Les rangées de la voie { $name } ne sont pas en ordr
 linescan-divergence-without-distance = Une divergence exige la distance aux véhicules ; indiquez-la, ou omettez la divergence et son incertitude.
 linescan-planes-cross = Avec cette divergence, les plans de balayage se croisent devant les véhicules, qui sont à { $distance_m } m ; corrigez la base, la divergence ou la distance.
 linescan-planes-too-near = Avec cette divergence, les plans de balayage sont distants de { $baseline_m } m à { $distance_m } m ; il faut au moins { $least_m } m.
-linescan-rig-few-passes = { $count } passages utilisables ne suffisent pas pour la base et la divergence ; il en faut au moins { $least }, à deux distances ou plus.
+linescan-rig-few-passes = { NUMBER($count) } passages utilisables ne suffisent pas pour la base et la divergence ; il en faut au moins { $least }, à deux distances ou plus.
 linescan-rig-distances-alike = Tous les passages sont entre { $nearest_m } et { $farthest_m } m, trop proches pour séparer la base de la divergence ; ajoutez des passages à une autre distance, comme la voie proche et la voie éloignée.
 linescan-width-two-u = Le panneau de { $width_m } m a deux incertitudes de largeur différentes ; donnez la même à chaque ligne.
 linescan-distance-two-u = La distance de { $distance_m } m a deux incertitudes différentes ; donnez la même à chaque ligne de cette position.
@@ -5362,13 +5362,13 @@ strips-pieces-too-large = { $name } est compressé en morceaux de plus de { $pie
 strips-tiles-too-large = { $name } a des rangées de tuiles de plus de { $piece_bytes } Mo ; enregistrez-le en tuiles plus petites.
 strips-problem-2 = { $name } { $message }.
 strips-tiff-damaged = { $name } est un TIFF dont le répertoire est endommagé ; { strips-copy-again }.
-strips-too-few-frames = { $name } a { $count } images, trop peu pour un balayage linéaire ; choisissez un autre enregistrement.
+strips-too-few-frames = { $name } a { NUMBER($count) } images, trop peu pour un balayage linéaire ; choisissez un autre enregistrement.
 strips-rate-uneven = { $name } n’a pas une cadence d’images constante (ses horodatages sont irréguliers, surtout après l’image { $at }), et un balayage linéaire en demande une ; extrayez une partie régulière, ou enregistrez à cadence fixe.
 strips-cuts-unusable = Les { $what ->
     [rows] rangées
    *[columns] colonnes
 } { $cut_1 } et { $cut_2 } ne peuvent pas être extraites de { $name } ; choisissez-en deux différentes de 0 à { $last_px }.
-strips-frames-changed = { $name } a maintenant { $count } images, et non { NUMBER($count_2) } ; importez-le à nouveau.
+strips-frames-changed = { $name } a maintenant { NUMBER($count) } images, et non { NUMBER($count_2) } ; importez-le à nouveau.
 
 ## Erreurs : vidéo
 
@@ -5400,7 +5400,7 @@ passes-were-found-again = { $found ->
    *[other] nouveaux : { NUMBER($new) }
 }, connus ou écartés avant : { NUMBER($known) }.
 scan-vehicles-found = Trouvés : { NUMBER($found) }, nouveaux : { NUMBER($added) }, mesurés de nouveau : { NUMBER($revised) }.
-scan-vehicles-left = Laissés parce que quelqu’un les a modifiés entre-temps : { $count }.
+scan-vehicles-left = Laissés parce que quelqu’un les a modifiés entre-temps : { NUMBER($count) }.
 media-kind = { $kind ->
     [empty] est vide
     [playlist] est une liste de lecture qui renvoie à d’autres fichiers
@@ -5424,7 +5424,7 @@ media-kind = { $kind ->
    *[other] n’est pas d’un format d’image pris en charge
 }
 video-no-video-track = { $name } ne contient pas de vidéo, seulement du son ou des données ; choisissez un fichier vidéo.
-video-no-such-stream = { $name } n’a pas de piste vidéo { $number } ; il en contient { $count }, comptées à partir de 1.
+video-no-such-stream = { $name } n’a pas de piste vidéo { $number } ; il en contient { NUMBER($count) }, comptées à partir de 1.
 video-track-is-still = La piste vidéo { $number } de { $name } est une image fixe ; choisissez une autre piste.
 video-stream-is-off = La piste vidéo { $number } de { $name } est désactivée dans le fichier ; choisissez une autre piste.
 video-slowed-in-part = Une partie seulement de { $name } est au ralenti : une seule cadence n’en donne pas les instants ; enregistrez-la avec les instants de prise de vue.
@@ -5437,7 +5437,7 @@ video-no-times-follow = { $name } ne donne pas l’instant de ses images : un v
 video-in-parts = { $name } est monté en plusieurs parties par une liste de montage ; les instants de ses images ne sont donc pas ceux de la prise de vue. Exportez chaque partie dans un fichier à part.
 video-times-not-filming = Les instants de { $name } ne sont pas ceux de la prise de vue (ses remarques en donnent le motif) : aucun mouvement n’est mesuré. Saisissez sa cadence de prise de vue.
 video-no-frame = { $name } ne contient aucune image décodable ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
-video-set-aside = Cet enregistrement a fait planter le décodeur { $count } fois et est mis de côté ; convertissez-le en MP4 avec H.264 et envoyez-le à nouveau.
+video-set-aside = Cet enregistrement a fait planter le décodeur { NUMBER($count) } fois et est mis de côté ; convertissez-le en MP4 avec H.264 et envoyez-le à nouveau.
 video-decoder-failing = Le décodeur s’est arrêté plusieurs fois de suite ; vérifiez la mémoire de cette machine.
 video-not-decodable = { $header } ne peut pas être décodé : le décodeur { $why } ; enregistrez-le dans un autre format et réessayez.
 video-frame-unwanted = Cette image n’était plus demandée.
@@ -5554,7 +5554,7 @@ results-reference-u = La u des hauteurs de référence doit être d’au moins 0
 results-own-values-many = Au plus { $most_own } valeurs propres peuvent être tracées ; retirez-en.
 results-own-value-range = Une valeur propre doit être entre 0 et 10 m, par exemple 1,08.
 results-standards-changed = Les normes ont été modifiées entre-temps ; rechargez-les et refaites votre modification.
-results-standards-many = Un tableau de { $count } normes est trop long ; { $most } au plus.
+results-standards-many = Un tableau de { NUMBER($count) } normes est trop long ; { $most } au plus.
 results-standard-twice = { $twice } figure deux fois dans le tableau ; donnez à chaque valeur un nom propre.
 results-standard-no-name = Une norme doit avoir un nom, par exemple AASHTO (USA).
 results-standard-height = La hauteur de { $name } doit être entre 0 et 10 m, par exemple 1,08.
@@ -5721,7 +5721,7 @@ csv-size-too-large = { $name }, ligne { $line } : { $column } vaut « { $cell 
 csv-size-not-positive = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; une dimension est supérieure à 0. Corrigez la cellule.
 csv-uncertainty-below-0 = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; une incertitude n’est pas négative. Corrigez la cellule.
 csv-not-utf-8 = { $name } n’est pas un texte UTF-8 ; enregistrez-le en CSV UTF-8.
-vehicles-frames-changed = { $name } a maintenant { $count } images et en avait { NUMBER($count_2) } à l’import ; importez-le à nouveau.
+vehicles-frames-changed = { $name } a maintenant { NUMBER($count) } images et en avait { NUMBER($count_2) } à l’import ; importez-le à nouveau.
 vehicles-search-running = Une détection des passages de { $name } est déjà en cours ; attendez la fin.
 vehicles-no-frames = Un véhicule demande sa première et sa dernière image ; marquez le passage sur la frise.
 vehicles-year-to-come = Aucun modèle de { $year } n’a pu passer encore ; donnez une année jusqu’à { $most }.
@@ -5800,12 +5800,12 @@ lots-lead = Les mesures peuvent être vérifiées par lots : un échantillon de
 lots-loading = lots
 lots-summary = Mesures validées : { $individual } individuellement, { $by_lot } par l’échantillon de leur lot.
 lots-outgoing = { $count ->
-    [one] Sur { $count } non vérifiée individuellement, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
-   *[other] Sur les { $count } non vérifiées individuellement, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
+    [one] Sur { NUMBER($count) } non vérifiée individuellement, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
+   *[other] Sur les { NUMBER($count) } non vérifiées individuellement, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
   }
 lots-held = { $count ->
-    [one] { $count } hauteur attend l’échantillon de son lot.
-   *[other] { $count } hauteurs attendent l’échantillon de leur lot.
+    [one] { NUMBER($count) } hauteur attend l’échantillon de son lot.
+   *[other] { NUMBER($count) } hauteurs attendent l’échantillon de leur lot.
   }
 lots-draw-title = Tirer des lots de la file
 lots-draw = Tirer
@@ -5827,8 +5827,8 @@ lots-sample = Échantillon
 lots-number = Fausses admises
 lots-what = Gain
 lots-saves = { $count ->
-    [one] { $count } décision
-   *[other] { $count } décisions
+    [one] { NUMBER($count) } décision
+   *[other] { NUMBER($count) } décisions
   }
 lots-saves-nothing = aucun : l’échantillon est tout le lot ; vérifiez les hauteurs une à une
 lots-everything = toutes les hauteurs de la file
@@ -5843,48 +5843,48 @@ lots-state-full_inspection = contrôle complet
 lots-state-dissolved = dissous
 lots-state-taken_back = annulé
 lots-left = Sorties du lot : { $reasons }.
-lots-left-measured_again = remesurées ({ $count })
-lots-left-withdrawn = retirées ({ $count })
-lots-left-vehicle_deleted = au véhicule supprimé ({ $count })
-lots-left-verdict_of_its_own = avec décision individuelle ({ $count })
+lots-left-measured_again = remesurées ({ NUMBER($count) })
+lots-left-withdrawn = retirées ({ NUMBER($count) })
+lots-left-vehicle_deleted = au véhicule supprimé ({ NUMBER($count) })
+lots-left-verdict_of_its_own = avec décision individuelle ({ NUMBER($count) })
 lots-plan = { $size } hauteurs, échantillon de { $sample }, fausses admises : { $most }.
 lots-says-waits = { $count ->
-    [one] { $count } de l’échantillon attend encore sa décision.
-   *[other] { $count } de l’échantillon attendent encore leur décision.
+    [one] { NUMBER($count) } de l’échantillon attend encore sa décision.
+   *[other] { NUMBER($count) } de l’échantillon attendent encore leur décision.
   }
 lots-says-accept = { $count ->
-    [one] Échantillon vérifié : { $count } est fausse (admises : { $most }). Le lot peut être accepté.
-   *[other] Échantillon vérifié : { $count } sont fausses (admises : { $most }). Le lot peut être accepté.
+    [one] Échantillon vérifié : { NUMBER($count) } est fausse (admises : { $most }). Le lot peut être accepté.
+   *[other] Échantillon vérifié : { NUMBER($count) } sont fausses (admises : { $most }). Le lot peut être accepté.
   }
 lots-says-refused = { $count ->
-    [one] { $count } de l’échantillon est fausse (admises : { $most }) : le reste passe au contrôle complet.
-   *[other] { $count } de l’échantillon sont fausses (admises : { $most }) : le reste passe au contrôle complet.
+    [one] { NUMBER($count) } de l’échantillon est fausse (admises : { $most }) : le reste passe au contrôle complet.
+   *[other] { NUMBER($count) } de l’échantillon sont fausses (admises : { $most }) : le reste passe au contrôle complet.
   }
 lots-says-accepted = { $count ->
-    [one] Accepté ; fausses dans l’échantillon : { $bad } ; { $count } hauteur acceptée d’après lui, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
-   *[other] Accepté ; fausses dans l’échantillon : { $bad } ; { $count } hauteurs acceptées d’après lui, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
+    [one] Accepté ; fausses dans l’échantillon : { $bad } ; { NUMBER($count) } hauteur acceptée d’après lui, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
+   *[other] Accepté ; fausses dans l’échantillon : { $bad } ; { NUMBER($count) } hauteurs acceptées d’après lui, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
   }
 lots-says-inspected = { $count ->
-    [one] Non accepté d’après son échantillon : { $count } hauteur est passée à la file.
-   *[other] Non accepté d’après son échantillon : { $count } hauteurs sont passées à la file.
+    [one] Non accepté d’après son échantillon : { NUMBER($count) } hauteur est passée à la file.
+   *[other] Non accepté d’après son échantillon : { NUMBER($count) } hauteurs sont passées à la file.
   }
 lots-says-taken-back = { $count ->
-    [one] Accepté, puis annulé : { $count } hauteur attend à nouveau.
-   *[other] Accepté, puis annulé : { $count } hauteurs attendent à nouveau.
+    [one] Accepté, puis annulé : { NUMBER($count) } hauteur attend à nouveau.
+   *[other] Accepté, puis annulé : { NUMBER($count) } hauteurs attendent à nouveau.
   }
 lots-says-dissolved = Dissous avant le début de la vérification.
 lots-judge = Vérifier l’échantillon
 lots-accept = Accepter le lot
 lots-inspect = Contrôle complet
 lots-inspect-text = { $count ->
-    [one] { $count } hauteur du reste passe à la file et n’entre dans aucun autre lot.
-   *[other] { $count } hauteurs du reste passent à la file, individuellement, et n’entrent dans aucun autre lot.
+    [one] { NUMBER($count) } hauteur du reste passe à la file et n’entre dans aucun autre lot.
+   *[other] { NUMBER($count) } hauteurs du reste passent à la file, individuellement, et n’entrent dans aucun autre lot.
   }
 lots-dissolve = Dissoudre
 lots-take-back = Annuler
 lots-own = { $count ->
-    [one] { $count } de l’échantillon est la vôtre ; une autre personne la vérifie.
-   *[other] { $count } de l’échantillon sont les vôtres ; une autre personne les vérifie.
+    [one] { NUMBER($count) } de l’échantillon est la vôtre ; une autre personne la vérifie.
+   *[other] { NUMBER($count) } de l’échantillon sont les vôtres ; une autre personne les vérifie.
   }
 lots-drawn = Tiré { $when } par { $person } ; graine { $seed }…
 lots-nobody = Sightline
@@ -5907,12 +5907,12 @@ lots-risk-between = Saisissez un risque de 0,001 à 0,5, par exemple 0,05 pour 1
 lots-fractions-in-order = La proportion d’un lot qui devrait passer doit être plus petite que celle d’un lot qui ne devrait pas ; modifiez l’une d’elles.
 lots-nothing-to-draw = Aucun lot n’épargnerait de travail : trop peu de hauteurs attendent pour ces risques, ou elles sont déjà dans des lots. Divisez moins, ou vérifiez-les une à une.
 lots-sample-not-judged = { $count ->
-    [one] { $count } hauteur de l’échantillon attend encore sa décision ; vérifiez-la d’abord.
-   *[other] { $count } hauteurs de l’échantillon attendent encore leur décision ; vérifiez-les d’abord.
+    [one] { NUMBER($count) } hauteur de l’échantillon attend encore sa décision ; vérifiez-la d’abord.
+   *[other] { NUMBER($count) } hauteurs de l’échantillon attendent encore leur décision ; vérifiez-les d’abord.
   }
 lots-too-many = { $count ->
-    [one] { $count } hauteur de l’échantillon est non conforme ; ce lot est accepté avec { $most } au plus : le reste passe au contrôle complet.
-   *[other] { $count } hauteurs de l’échantillon sont non conformes ; ce lot est accepté avec { $most } au plus : le reste passe au contrôle complet.
+    [one] { NUMBER($count) } hauteur de l’échantillon est non conforme ; ce lot est accepté avec { $most } au plus : le reste passe au contrôle complet.
+   *[other] { NUMBER($count) } hauteurs de l’échantillon sont non conformes ; ce lot est accepté avec { $most } au plus : le reste passe au contrôle complet.
   }
 lots-own-heights = Vous ne pouvez pas accepter vos propres hauteurs, et le reste de ce lot en contient. Demandez à un autre vérificateur.
 lots-judged-already = Une partie de cet échantillon est déjà vérifiée : le lot ne peut pas être dissous ; acceptez-le ou contrôlez-le en entier.
@@ -6184,9 +6184,9 @@ studies-same-survey-twice = { $first } et { $second } sont des archives du même
 studies-no-height-counts = Aucun des relevés n’a de hauteur validée qui compte ; vérifiez des mesures (et exportez à nouveau une archive).
 studies-class-unknown = Le parc a { $variable } { $name }, que Sightline ne connaît pas ; utilisez { $known }.
 studies-class-never-seen = Le parc a { $variable } { $name }, qu’aucun relevé ne contient ; omettez-le et faites totaliser 1 aux autres parts, ou mesurez-en.
-studies-fleet-lacks-class = Les relevés contiennent { $count } véhicules de { $variable } { $name }, que le parc n’a pas ; ajoutez-lui une ligne (0 pour les exclure).
+studies-fleet-lacks-class = Les relevés contiennent { NUMBER($count) } véhicules de { $variable } { $name }, que le parc n’a pas ; ajoutez-lui une ligne (0 pour les exclure).
 studies-site-missing = Le tableau des sites n’a pas de ligne pour { $site } ; ajoutez-la.
-studies-too-many-sites = La strate { $stratum } a { $count } sites ici, mais sites_there indique { $there } ; corrigez-le.
+studies-too-many-sites = La strate { $stratum } a { NUMBER($count) } sites ici, mais sites_there indique { $there } ; corrigez-le.
 studies-needs-a-name = Une étude doit avoir un nom ; indiquez-le.
 studies-needs-each-survey = Vous ne voyez pas actuellement chaque relevé de cette étude ; demandez à un gestionnaire de ces relevés de vous ajouter.
 studies-open-needs-managers = Vous ne gérez pas { $name } ; seule une personne qui gère chacun des relevés d’une étude peut la montrer à tous. Demandez à un gestionnaire de { $name }.
@@ -6704,7 +6704,7 @@ opened-evidence-direction-of = { $direction ->
 }
 opened-evidence-lane-unknown = inconnue
 opened-evidence-axles = Essieux
-opened-evidence-axles-of = { $count }, { $by ->
+opened-evidence-axles-of = { NUMBER($count) }, { $by ->
     [person] comptés par une personne
    *[machine] trouvés par Sightline
 }
@@ -6936,8 +6936,8 @@ reference-line-fits-cars = D’après son heure c’est le véhicule { $number }
 reference-vehicle-without-time = Le véhicule { $number } n’a pas d’heure à comparer à celle-ci ; omettez l’heure.
 reference-time-of-another = Le véhicule { $number } est passé à { $apart_s } s de cette heure, plus de { $tolerance_s } s.
 reference-times-need-start = { $name } contient des heures, mais le début de ce balayage n’est pas confirmé, donc aucun véhicule n’a d’heure. Confirmez le début, ou donnez les numéros des véhicules.
-reference-times-later = Les heures de { $count } lignes sont en retard de { $off_s } s (médiane) sur celles de leurs véhicules.
-reference-times-earlier = Les heures de { $count } lignes sont en avance de { $off_s } s (médiane) sur celles de leurs véhicules.
+reference-times-later = Les heures de { NUMBER($count) } lignes sont en retard de { $off_s } s (médiane) sur celles de leurs véhicules.
+reference-times-earlier = Les heures de { NUMBER($count) } lignes sont en avance de { $off_s } s (médiane) sur celles de leurs véhicules.
 reference-times-start = Le début de ce balayage n’est connu qu’à ± { $U95_s } s près, plus que la tolérance de { $tolerance_s } s : une ligne peut convenir à un voisin. Contrôlez les paires.
 reference-line-replaces = Remplace { $quantity } { $value } { $unit } (u = { $u } { $unit }).
 reference-line-renames = Était un passage de { $car }.
@@ -6992,7 +6992,7 @@ scan-motion-no-road = La chaussée vide avant le véhicule est trop instable : 
 scan-motion-too-long = Sa longueur estimée est de { $length_m } m, et la limite de { $most_m } m : un train, des véhicules sans intervalle, ou une base ou une cadence fausse.
 scan-motion-two-at-once = Les caméras le montrent pendant des durées différentes : deux véhicules côte à côte, ou un arrêt.
 scan-motion-lines-lost = L’enregistreur a perdu { $lost } pendant le passage du véhicule.
-scan-lines-of-camera = { $count } lignes de la caméra { $camera }
+scan-lines-of-camera = { NUMBER($count) } lignes de la caméra { $camera }
 words-both = { $first } et { $second }
 scan-motion-no-wheelbase = Pas d’empattement : { $reason }
 scan-wheelbase-no-motion = Le véhicule n’a pas de mouvement mesuré.
@@ -7002,16 +7002,16 @@ scan-run-none-found = Aucun véhicule n’a été trouvé ; contrôlez les ban
 scan-run-swapped = { NUMBER($reversed) } véhicules sur { NUMBER($found) } ont atteint d’abord la deuxième bande ; si le trafic ne va pas dans ce sens ici, les bandes sont inversées.
 scan-run-alone = { $alone } objets ne sont passés que devant une caméra : vérifiez que les deux montrent la même voie, et contrôlez base et cadence de lignes.
 scan-run-stood-in-front = Un véhicule s’est arrêté devant un autre à l’arrêt ; il peut manquer, ainsi que des véhicules passés pendant ce temps.
-scan-run-light-changed = La luminosité a varié brusquement ({ $count } fois) ; les véhicules passés à ce moment peuvent manquer.
-scan-run-camera-moved = Une caméra a bougé ({ $count } fois) : depuis, la chaussée est quelques rangées plus haut ou plus bas ; fixez la caméra solidement.
+scan-run-light-changed = La luminosité a varié brusquement ({ NUMBER($count) } fois) ; les véhicules passés à ce moment peuvent manquer.
+scan-run-camera-moved = Une caméra a bougé ({ NUMBER($count) } fois) : depuis, la chaussée est quelques rangées plus haut ou plus bas ; fixez la caméra solidement.
 scan-run-road-unsteady = La chaussée vide de la caméra { $camera } varie de { $percent } % d’une ligne à l’autre : neige, pluie, ou véhicule au début ; enregistrez d’abord la chaussée vide.
 scan-run-short-objects = La caméra { $camera } montre { $per_s } objets courts par seconde : pluie, neige ou insectes ; contrôlez les bornes.
 scan-run-flicker = La lumière à la caméra { $camera } scintille de { $percent } %, comme un éclairage sur secteur ; changez d’éclairage, ou attendez-vous à des incertitudes plus grandes.
 scan-run-saturated = { $percent } % de l’image de la caméra { $camera } est saturée ; réduisez l’exposition.
 rig-misalignments-scatter = Le désalignement diffère d’un véhicule à l’autre de { NUMBER($sd_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px (écart-type) ; vérifiez si une caméra a bougé.
-rig-few-known = { $count } véhicules connus ne suffisent pas ; il en faut { $least }.
+rig-few-known = { NUMBER($count) } véhicules connus ne suffisent pas ; il en faut { $least }.
 rig-misalignment-given = Le désalignement a été saisi : les estimations des véhicules en dépendent ; laissez-le vide et mesurez à nouveau pour l’estimer.
-rig-baseline-off = D’après { $count } { $of ->
+rig-baseline-off = D’après { NUMBER($count) } { $of ->
     [length] longueurs
    *[wheelbase] empattements
  }, les véhicules connus ressortent de { NUMBER($percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % plus { $than ->
@@ -7024,14 +7024,14 @@ rig-baseline-off = D’après { $count } { $of ->
     [length] { " " }Les ombres peuvent aussi allonger ; les empattements en sont exempts.
    *[wheelbase] { "" }
  }
-rig-baseline-agrees = { $count } { $of ->
+rig-baseline-agrees = { NUMBER($count) } { $of ->
     [length] longueurs
    *[wheelbase] empattements
  } de véhicules connus concordent avec la base saisie (U95 = { NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %).
 scan-flow-no-speed = Aucun véhicule n’a ici de vitesse validée.
 scan-flow-rear-unseen = Le taux d’occupation n’est pas connu : l’arrière d’un véhicule arrêté ici n’a pas été vu.
-scan-flow-no-u-occupancy = L’incertitude du taux d’occupation n’est pas connue : { $count } des véhicules n’ont pas de mouvement.
-stream-lines-lost = { $count } lignes de la caméra { $camera } ont été perdues et remplacées par des copies ; les véhicules passés pendant ce temps ne sont pas mesurés.
+scan-flow-no-u-occupancy = L’incertitude du taux d’occupation n’est pas connue : { NUMBER($count) } des véhicules n’ont pas de mouvement.
+stream-lines-lost = { NUMBER($count) } lignes de la caméra { $camera } ont été perdues et remplacées par des copies ; les véhicules passés pendant ce temps ne sont pas mesurés.
 stream-vehicles-wait = { $message } { NUMBER($waiting) } véhicules attendent d’être enregistrés dans le relevé.
 stream-recording-deleted = { $recording } a été supprimé pendant le flux : plus aucun de ses véhicules n’est enregistré, et ses deux bandes sont supprimées à sa fin.
 stream-recording-not-there = { $recording } est introuvable dans ce relevé : plus aucun de ses véhicules n’est enregistré.
@@ -7042,7 +7042,7 @@ stream-clock-set = L’horloge de l’ordinateur a été réglée de { NUMBER($j
 stream-lines-not-stored = Les lignes suivantes n’ont pu être enregistrées ({ $strerror }) ; elles ont été mesurées tout de même.
 stream-journal-not-written = Le journal n’a pu être écrit ({ $strerror }).
 stream-lines-stored = { NUMBER($kept) } lignes sont enregistrées dans { $path }.
-rig-few-vehicles = { $count } véhicules donnent un { $of ->
+rig-few-vehicles = { NUMBER($count) } véhicules donnent un { $of ->
     [misalignment] désalignement
    *[gain] gain
  } ; il en faut { $least }.
@@ -7085,8 +7085,8 @@ pose-squares-small = Les cases sont petites dans l’image ; approchez la mire
 pose-board-rolled = La mire paraît tournée de { $roll_deg } degrés ; contrôlez que colonnes et rangées ne sont pas inversées.
 pose-image-twice = { $name } est la même image que { $file } ; elle compte une fois.
 pose-frames-twice = { $count ->
-    [one] { $count } image de { $name } a déjà été donnée ; elle compte une fois.
-   *[other] { $count } images de { $name } ont déjà été données ; elles comptent une fois.
+    [one] { NUMBER($count) } image de { $name } a déjà été donnée ; elle compte une fois.
+   *[other] { NUMBER($count) } images de { $name } ont déjà été données ; elles comptent une fois.
 }
 pose-one-frame = Une seule image est utilisée ; l’immobilité de la mire n’est pas contrôlée.
 pose-road-turned = Pivotée de { NUMBER($heading_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) } degrés vers le sens de circulation.
@@ -7118,8 +7118,8 @@ calibration-halves-no-inverse = Une mire est là où le modèle d’objectif n�
 calibration-halves-differ = Deux moitiés des photos, étalonnées séparément, diffèrent de { SMALL($difference_m) } pour une hauteur à { $distance_m } m : plus que le bruit des coins ne l’explique. L’objectif demande peut-être l’autre modèle, la mire est peut-être courbée, ou le zoom ou la mise au point a changé entre les photos.
 calibration-halves-differ-beyond = Deux moitiés des photos, étalonnées séparément, diffèrent de { SMALL($difference_m) } pour une hauteur à { $distance_m } m ({ SMALL($expected_m) } attendus) : plus que le bruit des coins ne l’explique. L’objectif demande peut-être l’autre modèle, la mire est peut-être courbée, ou le zoom ou la mise au point a changé entre les photos.
 calibration-held-out-worse = Les photos hors ajustement s’accordent bien moins que les photos ajustées ({ NUMBER($held_out_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px contre { NUMBER($fit_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px) ; ajoutez des photos où la mire est inclinée, partout dans l’image.
-calibration-few-views = Seules { $count } vues ont servi : sous { $few }, un petit résidu prouve peu ; prenez-en 15 à 25.
-calibration-views-alike = Seules { $different } des { $count } vues diffèrent, car la mire n’a guère bougé entre les autres ; déplacez-la et inclinez-la entre les photos, ou prenez des images plus éloignées.
+calibration-few-views = Seules { NUMBER($count) } vues ont servi : sous { $few }, un petit résidu prouve peu ; prenez-en 15 à 25.
+calibration-views-alike = Seules { $different } des { NUMBER($count) } vues diffèrent, car la mire n’a guère bougé entre les autres ; déplacez-la et inclinez-la entre les photos, ou prenez des images plus éloignées.
 calibration-little-covered = Les mires couvrent { $percent } % de l’image ; ajoutez des vues qui atteignent ses bords et ses coins, où la distorsion est la plus forte.
 calibration-boards-parallel = Toutes les mires sont orientées de même : focale et distance ne se distinguent pas ; inclinez la mire de 30 à 45 degrés dans plusieurs directions.
 calibration-residual-high = Le résidu de { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px est élevé ; la mire n’est peut-être pas plane, sa taille est peut-être fausse, ou l’objectif demande un autre modèle.
@@ -7130,7 +7130,7 @@ lens-axis-off-middle = L’axe optique est loin du milieu de l’image ; la ph
 lens-pixels-not-square = Les deux focales diffèrent de plus de 10 % ; les pixels sont-ils carrés ?
 lens-no-inverse-in-corners = Le modèle d’objectif ne s’inverse pas dans les coins de l’image : rien n’y est mesuré ; ajoutez des photos qui atteignent les coins.
 calibration-squares-small = Dans { $small } vues sur { $views }, les cases font moins de { $least_px } px et leurs coins sont inexacts ; approchez la mire ou prenez des cases plus grandes.
-calibration-several-sizes = Photos de plusieurs tailles : { $count } ignorées qui ne font pas { $width_px }x{ $height_px } px (d’abord { $file }) ; un étalonnage ne vaut que pour une taille, prenez des photos à la taille des enregistrements.
+calibration-several-sizes = Photos de plusieurs tailles : { NUMBER($count) } ignorées qui ne font pas { $width_px }x{ $height_px } px (d’abord { $file }) ; un étalonnage ne vaut que pour une taille, prenez des photos à la taille des enregistrements.
 calibration-board-seldom = La mire n’a servi que dans { $used } photos sur { $given } ; recomptez ses coins intérieurs et montrez-la entière, nette et éclairée uniformément.
 calibration-image-outlier = { $file } s’accorde bien moins que les autres ({ NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px contre { NUMBER($usual_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px) ; contrôlez ses coins.
 calibration-tilt-edge = Inclinez la mire d’environ 30 degrés, son bord { $edge } plus près de la caméra.
@@ -7208,7 +7208,7 @@ adjustment-lengths-scatter = Les valeurs connues ({ $length ->
    *[roof_inset] retrait du toit
  }) se dispersent { NUMBER($factor, minimumFractionDigits: 1, maximumFractionDigits: 1) } fois plus qu’indiqué ; leurs incertitudes ont été multipliées par ce facteur.
 adjustment-global-test-failed = Le test global échoue : khi-deux { $chi2 } pour { $freedom } degrés de liberté ; les incertitudes indiquées ne sont pas compatibles entre elles.
-adjustment-few-vehicles = Avec { $count } véhicules, un véhicule erroné ne se distingue pas d’une pose erronée.
+adjustment-few-vehicles = Avec { NUMBER($count) } véhicules, un véhicule erroné ne se distingue pas d’une pose erronée.
 adjustment-pose-unchanged = Aucun passage de longueur connue n’a pu servir ; la pose est inchangée.
 adjustment-point-not-finite = Un point ou son incertitude n’est pas un nombre fini.
 adjustment-point-no-u = L’incertitude d’un point est inférieure à 0,001 px.
@@ -7224,9 +7224,9 @@ adjustment-roof-not-near-edge = Le toit n’a pas été pointé à son bord proc
 adjustment-no-lengths-yet = Aucune longueur n’est encore connue : pointez les deux pneus de véhicules d’un modèle connu, ou mesurez leur toit.
 adjustment-done-before = Cette pose est déjà ajustée sur le trafic.
 adjustment-no-pass = Aucun passage de longueur connue n’a pu servir.
-traffic-turned = L’axe X de la route est pivoté de { NUMBER($mean_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° (u = { NUMBER($u_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }°, { $count } véhicules) par rapport au trafic.
-traffic-agrees = L’axe X de la route s’accorde avec le trafic : rotation de { NUMBER($mean_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° (u = { NUMBER($u_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }°, { $count } véhicules), non significative.
-traffic-turn-changes = Cela change { $count } hauteurs enregistrées de { SMALL($largest_m) } au plus.
+traffic-turned = L’axe X de la route est pivoté de { NUMBER($mean_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° (u = { NUMBER($u_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }°, { NUMBER($count) } véhicules) par rapport au trafic.
+traffic-agrees = L’axe X de la route s’accorde avec le trafic : rotation de { NUMBER($mean_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° (u = { NUMBER($u_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }°, { NUMBER($count) } véhicules), non significative.
+traffic-turn-changes = Cela change { NUMBER($count) } hauteurs enregistrées de { SMALL($largest_m) } au plus.
 traffic-turn-would-change = Cette rotation changerait les hauteurs enregistrées de { SMALL($largest_m) } au plus.
 traffic-few-vehicles = Il faut les deux contacts de pneu d’au moins { $least } véhicules ; utilisables : { $usable }.
 adjustment-row-frame = Ligne { $row } : la cellule frame n’est pas un nombre entier.
@@ -7245,7 +7245,7 @@ inset-no-trend = Le retrait ne peut pas être estimé : trop peu de véhicules,
 inset-trend-at-camera-height = Non concluant : cette cible est à peu près à la hauteur de la caméra, où le retrait a peu d’effet.
 inset-trend-one-distance = Non concluant : tous sont passés à peu près à la même distance, { NUMBER($nearest_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } à { NUMBER($farthest_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } m.
 inset-trend-few = Pas assez de données : il faut quelques centaines de véhicules pour u = 0,15 m.
-inset-few-solved = Il faut au moins { $least } véhicules mesurés sur deux images ; il y en a { $count }.
+inset-few-solved = Il faut au moins { $least } véhicules mesurés sur deux images ; il y en a { NUMBER($count) }.
 inset-solved-close-frames = Non concluant : les images étaient trop rapprochées.
 inset-no-gain = S’accorde avec le retrait en vigueur ; l’adopter ne réduirait l’incertitude d’aucune hauteur.
 inset-no-known-roof = Aucun véhicule dont la hauteur du constructeur est connue n’a de toit mesuré.
@@ -7257,7 +7257,7 @@ repeat-other-pose = La pose de la caméra a changé depuis : les pointés ne so
 repeat-other-inset = Les retraits diffèrent : les pointés ne sont pas seuls à différer.
 repeat-no-uncertainty = Une hauteur est sans incertitude.
 repeats-few-own = Répétitions propres de { $name } : { $pairs } ; il en faut { $least }.
-repeats-few-other-frame = Il faut { $least } répétitions sur une autre image ; il y en a { $count }.
+repeats-few-other-frame = Il faut { $least } répétitions sur une autre image ; il y en a { NUMBER($count) }.
 repeats-nothing-yet = Pas encore de mesures répétées.
 repeats-few = Trop peu de répétitions : { $freedom } degrés de liberté, il en faut au moins { $least }.
 repeats-few-to-compare = Trop peu de répétitions à comparer : { $freedom }, il en faut au moins { $least }.
@@ -7279,13 +7279,13 @@ video-slow-motion = Le fichier est marqué comme ralenti ; il est lu à { $pla
 video-slow-motion-at = Le fichier indique qu’il a été filmé à { $filmed_hz } images par seconde ; il est lu à { $played_hz } images par seconde. Les hauteurs d’une seule image sont valables, mais aucun mouvement n’est mesuré tant que vous n’avez pas saisi la cadence de prise de vue.
 video-gaps = Des images manquent : { $count ->
     [one] une lacune
-   *[other] { $count } lacunes
+   *[other] { NUMBER($count) } lacunes
  }, la plus longue de { NUMBER($gap_s, minimumFractionDigits: 2, maximumFractionDigits: 2) } s après l’image { $frame }.
-video-truncated = Le fichier est tronqué : il manque { NUMBER($missing) } octets à la fin. { $count } images ({ NUMBER($span_s, minimumFractionDigits: 2, maximumFractionDigits: 2) } s) ont été importées ; recopiez-le pour le reste.
+video-truncated = Le fichier est tronqué : il manque { NUMBER($missing) } octets à la fin. { NUMBER($count) } images ({ NUMBER($span_s, minimumFractionDigits: 2, maximumFractionDigits: 2) } s) ont été importées ; recopiez-le pour le reste.
 video-another-recording-after = Le fichier contient après celui-ci un autre enregistrement, qui n’est pas importé. Scindez le fichier et ajoutez chaque partie.
 video-other-tracks = Le fichier contient { $count ->
     [one] une autre piste vidéo
-   *[other] { $count } autres pistes vidéo
+   *[other] { NUMBER($count) } autres pistes vidéo
  } : { $others } ; la piste { $stream } ({ $codec }, { $width_px }x{ $height_px }) a été importée.
 video-track = { $number } ({ $codec }, { $width_px }x{ $height_px }{ $kind ->
     [still] , une image fixe
@@ -7295,38 +7295,38 @@ video-track = { $number } ({ $codec }, { $width_px }x{ $height_px }{ $kind ->
  })
 video-track-unknown = { $number } (codec inconnu)
 video-not-turned = L’en-tête demande une rotation supplémentaire de { $degrees } degrés, qui n’est pas appliquée : seuls les quarts de tour conservent les pixels tels que filmés.
-video-same-image = { $count } { $count ->
+video-same-image = { NUMBER($count) } { $count ->
     [one] image est identique
    *[other] images sont identiques
  } à la précédente.
-video-not-later = { $count } { $count ->
+video-not-later = { NUMBER($count) } { $count ->
     [one] image a un horodatage qui ne suit pas
    *[other] images ont un horodatage qui ne suit pas
  } celui de la précédente ; les temps ont été triés.
-video-packets-damaged = { $count } { $count ->
+video-packets-damaged = { NUMBER($count) } { $count ->
     [one] paquet endommagé a été ignoré
    *[other] paquets endommagés ont été ignorés
  } ; des images y manquent.
-video-frames-patched = { $count } { $count ->
+video-frames-patched = { NUMBER($count) } { $count ->
     [one] image est endommagée et complétée
    *[other] images sont endommagées et complétées
  } par le décodeur, la première à { $first } ; n’y mesurez pas.
 video-start-in-future = Le fichier indique un début à { $start } UTC, qui est dans le futur : l’horloge de la caméra est fausse ; aucun début n’est donc proposé.
 video-ends-early = L’en-tête annonce { NUMBER($duration_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s, les images s’arrêtent à { NUMBER($end_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s ; le fichier est peut-être tronqué.
 video-other-rate = L’en-tête annonce { $stated_hz } images par seconde, les horodatages { $rate_hz } ; les horodatages font foi.
-video-other-count = L’en-tête annonce { NUMBER($claimed) } images, { $count } ont pu être décodées ; les numéros d’image se rapportent à celles-ci.
+video-other-count = L’en-tête annonce { NUMBER($claimed) } images, { NUMBER($count) } ont pu être décodées ; les numéros d’image se rapportent à celles-ci.
 video-shown-upright = Les images ont été { $done }, comme l’indique leur en-tête.
 video-stretched = étirées pour des pixels de { $aspect }
 video-turned = tournées de { $degrees } degrés dans le sens horaire
 video-mirrored = retournées en miroir
 video-interlaced = L’enregistrement est entrelacé : les bords mobiles sont dentelés, préférez un enregistrement progressif.
 video-working-copy = Les images viennent d’une copie de travail indexée ; elles sont identiques à celles de l’original.
-video-other-size-skipped = { $count } images d’une autre taille ont été ignorées.
+video-other-size-skipped = { NUMBER($count) } images d’une autre taille ont été ignorées.
 video-rate-varies = La cadence d’images varie : { NUMBER($least_s, minimumFractionDigits: 4, maximumFractionDigits: 4) } à { NUMBER($most_s, minimumFractionDigits: 4, maximumFractionDigits: 4) } s entre images ; les temps viennent des horodatages.
-video-unreadable-end = Le fichier n’a pu être lu jusqu’au bout ; { $count } images ont été trouvées avant.
+video-unreadable-end = Le fichier n’a pu être lu jusqu’au bout ; { NUMBER($count) } images ont été trouvées avant.
 video-no-time-stamps = Le flux n’a pas d’horodatage utilisable : { $rate_hz } images par seconde sont supposées, ne vous fiez donc pas à ses temps.
 scan-pixels-saturated = { $percent } % des pixels de la caméra { $camera } sont saturés : des bords y sont perdus ; réduisez la lumière ou l’exposition.
-scan-recorder-lost = L’enregistreur de { $name } a perdu { $count } lignes ; elles sont remplacées par des copies.
+scan-recorder-lost = L’enregistreur de { $name } a perdu { NUMBER($count) } lignes ; elles sont remplacées par des copies.
 scan-recorder-other-rate = { $name } annonce une cadence de { $told_hz } Hz, mais { $line_rate_hz } Hz ont été donnés et sont utilisés ; vérifiez laquelle est juste.
 
 ## Said: how far a job is
@@ -7354,7 +7354,7 @@ job-heights-restoring = Rétablissement des anciennes hauteurs.
 job-heights-computing = Calcul des hauteurs.
 job-strips-reading = Lecture des bandes.
 job-strips-cutting = Découpe des bandes.
-job-vehicles-found = Détection des véhicules. { $count } jusqu’ici.
+job-vehicles-found = Détection des véhicules. { NUMBER($count) } jusqu’ici.
 job-vehicles-again = Nouvelle mesure des véhicules connus.
 job-study-package = Écriture de l’archive.
 job-study-report = Écriture du rapport.

@@ -54,6 +54,7 @@ from sightline.statistics.agreement import U_MANUFACTURER_M
 from sightline.statistics.known_errors import COMPARED, Compared, KnownErrors, known_errors
 from sightline.statistics.lateral import Lateral, lateral_positions
 from sightline.statistics.rules import RuleToday, rule_today
+from sightline.statistics.shared_errors import inset_codes
 from sightline.statistics.standards import Standard
 from sightline.statistics.summary import Errors, Grouping, Roofs, Target, errors_of, target_of
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty, sample_of_measurements
@@ -421,10 +422,7 @@ def _lateral(measured: Measured) -> Lateral:
 
 
 def height_sample(measured: Measured, sites: Grouping | None = None) -> HeightSample:
-    """Heights of one target with the parts of their uncertainty: which pose and which inset each one used.
-
-    An inset is known by its value and its u: heights that assume the same have the same error of its mean.
-    """
+    """Heights of one target with the parts of their uncertainty: which pose and which inset each one used."""
     poses, pose = np.unique(measured.pose_id, return_inverse=True)
     return sample_of_measurements(
         height_m=measured.height_m,
@@ -433,14 +431,9 @@ def height_sample(measured: Measured, sites: Grouping | None = None) -> HeightSa
         u_by_inset_m=measured.u_by_inset_m,
         pose=pose.astype(np.int64),
         pose_names=poses.astype(np.int64),
-        inset=_compact(np.rint(measured.inset_m * 1e4) * 100_000 + np.rint(measured.u_inset_m * 1e4)),
+        inset=inset_codes(measured.inset_m, measured.u_inset_m),
         site=None if sites is None else sites.code,
     )
-
-
-def _compact(values: NDArray[Any]) -> NDArray[np.int64]:
-    """Codes from 0 for values (N,)."""
-    return np.unique(values, return_inverse=True)[1].astype(np.int64)
 
 
 def standards_of(table: Sequence[Standard], target: StatisticsTarget) -> list[Standard]:

@@ -58,11 +58,7 @@ def standing_order(session: Session, survey_id: int, actor: int | None) -> dict[
     return _standing_order(session, survey_id, actor, trail.head(session, survey_id).hash)
 
 
-def _size(order: dict[int, Standing]) -> int:
-    return len(order)
-
-
-@cached(LRUCache(MOST_KEPT, _size), key=lambda _session, *rest: rest, lock=Lock())
+@cached(LRUCache(MOST_KEPT, len), key=lambda _session, *rest: rest, lock=Lock())
 def _standing_order(session: Session, survey_id: int, actor: int | None, _end: str) -> dict[int, Standing]:
     """`_end`: the hash in which the survey's audit chain ends: another one with each change."""
     r, of = revision_rows.c, measurement_series.c

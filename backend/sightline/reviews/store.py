@@ -113,7 +113,8 @@ def review_queue(
                 raise missing("measurement", after)
             wanted = wanted[wanted.index(after) + 1 :]
         if lot is not None:
-            wanted = [one for one in wanted if one in places and _sample_of(places[one], lot)]
+            sample = {one for one, place in places.items() if place.in_sample and place.lot_id == lot}
+            wanted = [one for one in wanted if one in sample]
         elif state == "to_review":
             wanted = [one for one in wanted if one not in places or places[one].in_sample]
         if state != "all":
@@ -147,10 +148,6 @@ def _facts_by_measurement(
     found: Iterable[Measurement | ScanHeight], facts: Mapping[int, VehicleFacts]
 ) -> dict[int, VehicleFacts]:
     return {one.id: facts[one.vehicle_id] for one in found}
-
-
-def _sample_of(place: LotPlace, lot: int) -> bool:
-    return place.in_sample and place.lot_id == lot
 
 
 def _make_judged(place: Standing, drawn: bool, people: Mapping[int, Who], lot: LotPlace | None) -> Judged:

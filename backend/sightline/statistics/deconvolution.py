@@ -76,10 +76,6 @@ class SmoothDensity:
         at = np.searchsorted(self.edge_m, heights_m, side="right") - 1
         return np.clip(at, 0, len(self.true) - 1)
 
-    def measured_quantile_m(self, p: Floats | float) -> Floats:
-        """Quantiles of the measured heights, of the same shape as p (any shape), 0 to 1."""
-        return _quantile(self._measured_below, p)
-
     def measured_density(self, height_m: float) -> float:
         """Density of the measured heights, per metre."""
         return _density(self.edge_m, self.measured, height_m)

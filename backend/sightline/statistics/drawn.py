@@ -5,6 +5,7 @@ weights that were made to meet the fleet take from a height what its classes exp
 are held as in `sites`. A survey is a design of one stratum and equal weights.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -113,7 +114,8 @@ class Drawn:
             if not len(chosen):
                 continue
             rows = slice(None) if len(chosen) == len(design.weight) else chosen
-            sites = _sites(design.site[rows], design.weight[rows])
+            code = compact(design.site[rows])
+            sites = Sites(code, np.bincount(code).astype(np.float64), design.weight[rows])
             part = float(design.weight[rows].sum()) / whole
             j = len(sites.count)
             told = [one.where(rows) for one in shared]
@@ -136,30 +138,33 @@ class Drawn:
         self._free = sum(float(one.free.sum()) for one in self._strata)
         self._of_all_m2 = sum(float(np.square(one.of_mean_m(design.weight)).sum()) for one in shared)
 
-    def sampled(self, influence: Floats, smooth: Floats | None = None, *, height: bool = True) -> Sampled:
+    def sampled(self, influence: Floats, smooth: Sequence[Floats] = (), *, height: bool = True) -> Sampled:
         """Variance of a weighted mean of which `influence` (N,) is each height's influence, in its unit
         squared.
 
         Within strata as `sites.pooled_variance`, sampling within sites as `_Stratum.within`; of a stratum of
         which part f was seen, 1 - f of the variance between sites and f of that within them counts (Särndal,
-        Swensson & Wretman 1992, 4.3), with degrees of freedom by Satterthwaite. smooth: (N,), as there.
-        height: shared errors act as on heights.
+        Swensson & Wretman 1992, 4.3), with degrees of freedom by Satterthwaite. smooth: (N,) each, as there,
+        of which that counts by which the variance is largest; none: the influence itself. height: shared
+        errors act as on heights.
         """
         own = residuals(influence, self._drawn, self.design.margins)
-        even = own if smooth is None else residuals(smooth, self._drawn, self.design.margins)
         if np.abs(own).max(initial=0.0) < 1e-12:  # the weights were made to meet it
             return Sampled(0.0, _MANY, 0.0)
-        variance, squares, shared_seen, inside = 0.0, 0.0, 0.0, 0.0
         apart = [one.apart(own[one.rows]) for one in self._strata]
         otherwise = mean_variance(np.concatenate(apart), self._kept), self._free
-        for stratum, own_apart in zip(self._strata, apart, strict=True):
-            here, freedom = stratum.within(own_apart, otherwise)
+        inner = [one.within(here, otherwise) for one, here in zip(self._strata, apart, strict=True)]
+        evens = (residuals(one, self._drawn, self.design.margins) for one in smooth) if smooth else (own,)
+        return max((self._pooled(even, inner, height) for even in evens), key=lambda one: one.variance)
+
+    def _pooled(self, even: Floats, inner: Sequence[tuple[float, float]], height: bool) -> Sampled:
+        """`sampled` by one smooth influence `even` (N,); inner: of each stratum, within its sites."""
+        variance, squares, shared_seen, inside = 0.0, 0.0, 0.0, 0.0
+        for stratum, (here, freedom) in zip(self._strata, inner, strict=True):
             within = here
             if len(stratum.sites.count) > 1 and stratum.seen < 1.0:
                 moved = stratum.moved if height else []
-                found = pooled_variance(
-                    stratum.sites, own[stratum.rows], even[stratum.rows], (), here / stratum.own, moved
-                )
+                found = pooled_variance(stratum.sites, even[stratum.rows], here / stratum.own, moved)
                 here, freedom = (1.0 - stratum.seen) * found.variance + stratum.seen * here, found.freedom
                 within = (1.0 - stratum.seen) * found.within * found.variance + stratum.seen * within
                 shared_seen += stratum.part**2 * (1.0 - stratum.seen) * found.seen
@@ -208,11 +213,6 @@ class Drawn:
         found = self.sampled(influence, height=height)
         low, high = ends_of(found.draws() + np.sqrt(found.unseen) * normal_draws())
         return TotalFigure(value, value + low, value + high)
-
-
-def _sites(site: Ints, weight: Floats) -> Sites:
-    code = compact(site)
-    return Sites(code, np.bincount(code).astype(np.float64), weight)
 
 
 def reorder_design(design: Design, order: Ints | NDArray[np.bool_]) -> Design:

@@ -13,7 +13,6 @@ from functools import cached_property
 import numpy as np
 
 from sightline.arrays import Floats, Ints
-from sightline.statistics.shared_errors import SharedErrors
 
 _SOME = 6  # sites; from then on sampling within them is taken from all heights, not from their differences
 _MANY = 400  # sites; from then on their degrees of freedom are one less than they are
@@ -67,15 +66,14 @@ class Sites:
 class PooledVariance:
     """Variance of a pooled figure with its degrees of freedom.
 
-    within: the share of it that comes of sampling within sites; seen, unseen: the variance of shared errors
-    by which sites differ, in `variance`, and the rest of it, which is not.
+    within: the share of it that comes of sampling within sites; seen: that part of it which is of shared
+    errors, by which sites differ.
     """
 
     variance: float
     freedom: float
     within: float
-    unseen: float
-    seen: float = 0.0
+    seen: float
 
 
 def sites_of(site: Ints | None) -> Sites | None:
@@ -91,31 +89,20 @@ def sites_of(site: Ints | None) -> Sites | None:
     return Sites(code, count) if 1 < len(count) < len(code) else None
 
 
-def pooled_variance(
-    sites: Sites,
-    influence: Floats,
-    smooth: Floats,
-    shared: Sequence[SharedErrors],
-    inner: float | None = None,
-    moved: Sequence[Floats] | None = None,
-) -> PooledVariance:
-    """Variance of a figure of which `influence` (N,) is each height's influence, in the figure's unit.
+def pooled_variance(sites: Sites, smooth: Floats, inner: float, moved: Sequence[Floats]) -> PooledVariance:
+    """Variance of a figure by each height's influence on it, in the figure's unit.
 
     The estimate of Bell and McCaffrey 2002 with Satterthwaite's degrees of freedom (Satterthwaite 1946).
     smooth: (N,), an influence of the same mean in every site whose values do not jump, for a percentile's own
-    takes two values only and sites tie; the influence itself where it does not jump. shared: errors (N,) that
-    act on the figure as they do on heights. inner: variance of the influence within sites, if it is known
-    better; moved: what each of `shared` moves the sites by, (J, G), if that is known already.
+    takes two values only and sites tie; the influence itself where it does not jump. inner: variance of the
+    influence within sites. moved: what each error that heights share moves the sites by, (J, G).
     """
     count, weight = sites.effective_count, sites.share
-    inner = _within(sites, influence) if inner is None else inner
     of_site = sites.means(smooth)
     of_site = of_site - weight @ of_site
     inner_smooth = _within(sites, smooth)
     emphasis = weight**2 / (1.0 - weight)
     observed = float(emphasis @ of_site**2)
-    if moved is None:
-        moved = [one.by_site_m(sites.code, len(count), sites.weight) for one in shared]
     apart = max(_excess(count, of_site, inner_smooth), sum(_variance_between(one) for one in moved))
     alike = 1.0 if inner_smooth == inner == apart == 0.0 else 0.0  # sites of one height each, all the same
     expected, freedom = _moments(weight, emphasis, (inner_smooth + alike) / count + apart)
@@ -126,14 +113,13 @@ def pooled_variance(
         seen = observed * (total - more) / expected
         variance = seen + more
         freedom *= (variance / max(seen, 1e-30)) ** 2
-    unseen, shown = 0.0, 0.0
+    shown = 0.0
     for one in moved:
         all_together = float(np.square(weight @ one).sum())
         differing = float(emphasis @ np.square(one - weight @ one).sum(axis=1))
-        unseen += max(all_together - differing * total / expected, 0.0)
         shown += min(differing * total / expected, all_together)
     within = min(inner * float(weight**2 @ (1.0 / count)) / total, 1.0)
-    return PooledVariance(variance, freedom, within, unseen, shown)
+    return PooledVariance(variance, freedom, within, shown)
 
 
 def _within(sites: Sites, influence: Floats) -> float:

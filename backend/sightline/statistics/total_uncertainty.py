@@ -291,13 +291,8 @@ class TotalUncertainty:
         of_correction = self._density.correction_influence_m(p, self._least_density(p, self._density))[
             self._cell
         ]
-        sampled = max(
-            (
-                self._drawn.sampled(own + of_correction, smooth + of_correction)
-                for smooth in self._smooth_influences(p, slope)
-            ),
-            key=lambda one: one.variance,
-        )
+        smooth = [one + of_correction for one in self._smooth_influences(p, slope)]
+        sampled = self._drawn.sampled(own + of_correction, smooth)
         plain_m2 = p * (1.0 - p) / slope**2
         correction = self._correction_m(p, self._density)
         u_m2 = self._unseen(sampled, self._near(p)) + (_SHAPE * correction) ** 2
@@ -357,7 +352,7 @@ class TotalUncertainty:
         slope = self._slope(p, self._density)
         sampling = float(np.sqrt(p * (1.0 - p))) / slope
         found, smooth = max(
-            ((self._drawn.sampled(one, one), one) for one in self._smooth_influences(p, slope)),
+            ((self._drawn.sampled(one), one) for one in self._smooth_influences(p, slope)),
             key=lambda pair: pair[0].variance,
         )
         return Components(sampling, self._drawn.between(smooth), float(np.sqrt(found.unseen)))

@@ -13,6 +13,7 @@ from sightline.errors import BadInput
 from sightline.messages.said import Said
 from sightline.results.measured_columns_query import CATEGORIES, LIGHTING, Heights
 from sightline.statistics.drawn import lonely_strata, reorder_design
+from sightline.statistics.shared_errors import inset_codes
 from sightline.statistics.sites import compact
 from sightline.statistics.survey_design import Design
 from sightline.statistics.survey_weights import Margin, calibrate_weights
@@ -131,9 +132,6 @@ def _in_fleet(rows: Heights, fleet: Fleet | None, places: Places) -> NDArray[np.
 
 def sample_of(rows: Heights) -> HeightSample:
     """As the statistics of a survey take them; poses of one package are no other package's."""
-    inset = np.rint(np.nan_to_num(rows.inset_m) * 1e4) * 100_000
-    inset = inset + np.rint(np.nan_to_num(rows.u_inset_m) * 1e4)
-    alike = bool(np.all(inset == inset[0]))
     pose = compact(rows.survey_id * (int(rows.pose_id.max()) + 1) + rows.pose_id)
     names = np.zeros(int(pose.max()) + 1, dtype=np.int64)
     names[pose] = (rows.survey_id << 32) + rows.pose_id
@@ -144,9 +142,5 @@ def sample_of(rows: Heights) -> HeightSample:
         u_by_inset_m=rows.u_by_inset_m,
         pose=pose,
         pose_names=names,
-        inset=np.zeros(len(inset), np.int64) if alike else _codes(inset),
+        inset=inset_codes(rows.inset_m, rows.u_inset_m),
     )
-
-
-def _codes(values: NDArray[np.generic]) -> Ints:
-    return np.asarray(np.unique(values, return_inverse=True)[1], dtype=np.int64)

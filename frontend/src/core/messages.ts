@@ -14,8 +14,6 @@ const SOURCE = "en";
 /** Thousands stand apart from 10,000 on, in every language, by a narrow space that does not break. */
 export const APART = { useGrouping: "min2" } as const;
 const NARROW = "\u202f";
-/** The one value of the server's sentences that is always a count. */
-const COUNT = "count";
 /** The rooms of words beside those of the screens: see `tools/words.ts`. */
 const EVERYWHERE = "everywhere";
 const OF_SERVER = "server";
@@ -216,7 +214,7 @@ const MOST_DIGITS = 15;
 
 /** A sentence of the server in the language spoken, or null where this program has none of that name: what the server
  *  said itself needs no words here, unless lengths are to be in feet. Numbers are frames and identifiers more often than
- *  counts, so only the thousands of `$count` stand apart, and what the sentence asks for. */
+ *  counts, so only the thousands of what the sentence asks for with NUMBER stand apart. */
 export function sayCode({ code, values, message }: Said): string | null {
   if (!bundles.value.some((one) => one.hasMessage(code))) {
     const isSaid = message !== undefined && metric();
@@ -226,10 +224,7 @@ export function sayCode({ code, values, message }: Said): string | null {
   const given = Object.entries(values).map(([name, value]) => [
     name,
     typeof value === "number"
-      ? new Written(value, {
-          ...(name === COUNT ? APART : { useGrouping: false }),
-          maximumFractionDigits: MOST_DIGITS,
-        })
+      ? new Written(value, { useGrouping: false, maximumFractionDigits: MOST_DIGITS })
       : typeof value === "object"
         ? sentenceOf(value)
         : value,

@@ -82,6 +82,6 @@ def decimal(text: str) -> str:
     return text.replace(".", sentence_of_key("report-decimal-sign"))
 
 
-def percent(share: float, digits: int = 1) -> str:
+def percent(share: float) -> str:
     """A share in per cent."""
-    return f"{format_fixed(100.0 * share, digits)}\u00a0%"
+    return f"{format_fixed(100.0 * share, 1)}\u00a0%"

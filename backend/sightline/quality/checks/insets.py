@@ -1,6 +1,6 @@
 """What a survey says of its own insets: from manufacturers' heights, the trend with distance, two frames."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from typing import Annotated, get_args
@@ -152,21 +152,16 @@ def check_insets(session: Session, survey_id: int) -> InsetCheck:
     """Estimate each inset from the survey's traffic alone: a check target's are its own. Raises NotFound."""
     survey = get_survey(session, survey_id)
     known = {one.id: one for one in list_sheets(session, survey_id) if not one.check_target}
-    standing = [
-        one
-        for one in list_measurements(session, survey_id)
-        if one.review.verdict != "rejected" and one.vehicle_id in known
-    ]
+    of_inset = dict[InsetName | None, list[Measurement]]()
+    for one in list_measurements(session, survey_id):
+        if one.review.verdict != "rejected" and one.vehicle_id in known:
+            name = inset_name(one.values.target, one.values.side, known[one.vehicle_id].category)
+            of_inset.setdefault(name, []).append(one)
     checked = tuple(
-        _inset(session, survey, name, [one for one in standing if _is_of(name, one, known)], known)
-        for name in get_args(InsetName)
+        _inset(session, survey, name, of_inset.get(name, []), known) for name in get_args(InsetName)
     )
     camera_m = _camera_height(session, survey_id)
     return InsetCheck(checked, camera_m, CASES_AT_M, cases(survey, camera_m))
-
-
-def _is_of(name: InsetName, one: Measurement, known: Mapping[int, VehicleSheet]) -> bool:
-    return name == inset_name(one.values.target, one.values.side, known[one.vehicle_id].category)
 
 
 def cases(survey: Survey, camera_height_m: float) -> tuple[InsetCase, ...]:

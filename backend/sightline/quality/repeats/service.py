@@ -132,6 +132,7 @@ class Comparison(Compared):
 def findings(session: Session, survey_id: int) -> Findings:
     """The figures of a survey's repeats; those that too few repeats cannot give have their reason."""
     clicks = clicks_of_survey(session, survey_id)
+    persons = sorted({one.person for one in clicks}, key=lambda who: (who.name, who.id))
     chosen = {one.person.id: one for one in list_click_sigmas(session, survey_id) if one.person}
     targets: list[Target | None] = [None, *sorted({one.target for one in clicks})] if clicks else []
     repeated = [one for one in clicks if one.measurement_id != one.first_id]
@@ -139,7 +140,7 @@ def findings(session: Session, survey_id: int) -> Findings:
     return Findings(
         repeats=len(repeated),
         targets=tuple(_of_target(clicks, target) for target in targets),
-        people=tuple(_of_person(clicks, person, chosen.get(person.id)) for person in _persons(clicks)),
+        people=tuple(_of_person(clicks, person, chosen.get(person.id)) for person in persons),
         differences=differences,
         not_compared=len(repeated) - len(differences) - len(_elsewhere(clicks)),
     )
@@ -182,10 +183,6 @@ def use_own_sigma(session: Session, survey_id: int, person_id: int, *, own: bool
     return choose_click_sigma(
         session, survey_id, person_id, sigma_px=sigma_px, pairs=person_clicks.pairs, actor=actor
     )
-
-
-def _persons(clicks: Sequence[Click]) -> list[Who]:
-    return sorted({one.person for one in clicks}, key=lambda who: (who.name, who.id))
 
 
 def _of_target(clicks: Sequence[Click], target: Target | None) -> OfTarget:

@@ -219,7 +219,8 @@ def _steps(
         ),
         (
             "review",
-            _reviewed(counts) and scans.heights_to_review + scans.heights_rejected == 0,
+            counts.measurements > 0
+            and counts.to_review + counts.rejected + scans.heights_to_review + scans.heights_rejected == 0,
             counts.measurements + scans.heights_to_review > 0,
             _review_words(counts, scans),
         ),
@@ -230,10 +231,6 @@ def _steps(
         Step(key, "done" if done else "next" if key == following else "begun" if begun else "waiting", words)
         for key, done, begun, words in steps
     )
-
-
-def _reviewed(counts: SurveyCounts) -> bool:
-    return counts.measurements > 0 and counts.to_review == 0 and counts.rejected == 0
 
 
 def _camera_words(facts: _Facts) -> list[Said]:

@@ -288,9 +288,7 @@ function Heights({ surveyId, found }: { surveyId: number; found: ComputedHeights
         ]}
       />
       {found.listed.length < found.computing.heights && (
-        <p class="panel__body muted small">
-          {say("computing-listed", { count: formatCount(found.listed.length) })}
-        </p>
+        <p class="panel__body muted small">{say("computing-listed", { count: found.listed.length })}</p>
       )}
     </>
   );
