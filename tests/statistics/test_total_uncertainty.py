@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -319,6 +321,18 @@ def test_sites_that_differ_by_more_than_their_vehicles_leave_a_percentile_uncert
     found = TotalUncertainty(HeightSample(height_m, np.zeros(600), (), site)).percentile(95.0)
     assert found.U95_low is not None and found.value is not None and found.U95_high is not None
     assert found.U95_low < 1.55 and found.value == pytest.approx(1.6, abs=0.01) and found.U95_high > 1.65
+
+
+def test_sites_that_differ_as_much_as_their_vehicles_are_said() -> None:
+    """P95 of five such sites is held 0.8 times: docs/proofs.md."""
+    said = "differ as much as their vehicles"
+    for between_m, unlike in ((0.0, False), (0.02, False), (0.1, True)):
+        alike = sample(600, 5, sites=5)
+        assert alike.site is not None
+        apart_m = between_m * np.array([-1.0, 0.5, 1.0, -0.7, 0.2])[alike.site]
+        found = TotalUncertainty(replace(alike, height_m=alike.height_m + apart_m))
+        assert (said in str(found.holds_in_words)) == unlike == found.sites_are_unlike
+    assert not TotalUncertainty(sample(600, 5)).sites_are_unlike
 
 
 def test_heights_that_weigh_nothing_leave_an_interval_of_numbers() -> None:

@@ -38,6 +38,7 @@ _WIDEST, _IN_WINDOW = 0.5, 2.0  # scores, heights of a site about a percentile, 
 _INSIDE = (1e-15, 1.0 - 1e-15)  # ranks that have a score
 _WINDOW = 0.10  # of all heights, on either side of a percentile: those that say which groups it rests on
 _LEAST_IN_WINDOW = 25
+_UNLIKE = 2.0 / 3.0  # of the spread of vehicles, by which sites differ: beyond it, few hold what they say
 _LARGEST = 30.0  # of the logarithm of a variance's ratio, beyond which numbers end
 _NODES = 20_000  # at which smooth functions of more heights are computed
 
@@ -207,7 +208,18 @@ class TotalUncertainty:
     @property
     def holds_in_words(self) -> Said:
         """What the intervals hold, and for which roads, as the end of a sentence."""
-        return interval_contents(self.holds, self.sites, Said("stat-random-error-removed"))
+        random = Said("stat-random-error-removed")
+        return interval_contents(self.holds, self.sites, random, unlike=self.sites_are_unlike)
+
+    @cached_property
+    def sites_are_unlike(self) -> bool:
+        """Whether sites differ so much that intervals of percentiles far from the median hold the truth less
+        often than they say (docs/proofs.md, "Sites that differ as their vehicles do").
+        """
+        apart = self._height_m - self._mean(self._height_m)
+        between_m = self._drawn.between(apart)
+        within_m2 = self._mean(np.square(apart)) - between_m**2
+        return self.sites is not None and between_m > _UNLIKE * float(np.sqrt(max(within_m2, 0.0)))
 
     def percentile(self, percent: float) -> TotalPercentile:
         """THE percentile, 0 < percent < 100, metres: of the true heights, with its total 95 % interval.

@@ -175,6 +175,8 @@ def _of_target(
     figures = None if of.design is None else of.figures()
     collected.targets.append(_target_figures(target, of, figures, places))
     if figures is not None:
+        if figures.sites_are_unlike:
+            notes.append(Said("study-sites-unlike", target=target))
         if asked.curves:
             points = [figures.percentile(percent) for percent in _CURVE]
             supported = [one for one in points if one.value is not None]
