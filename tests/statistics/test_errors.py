@@ -16,7 +16,10 @@ from scipy.optimize import linprog
 
 from sightline.cli import main
 from sightline.commands.errors import errors
+from sightline.enums import Rounding
 from sightline.errors import BadInput
+from sightline.messages.said import Said
+from sightline.statistics.agreement import reference_part
 from sightline.statistics.errors import (
     ALL_FIGURES,
     FIGURES,
@@ -24,6 +27,7 @@ from sightline.statistics.errors import (
     error_group,
     error_table,
     round_to_cm,
+    signed_errors,
 )
 from sightline.statistics.paper import PAPER
 
@@ -131,6 +135,25 @@ def test_too_few_rows_have_a_reason_and_no_interval() -> None:
     assert one.figures["mae_m"] == 0.01 and one.figures["sd_m"] is None
     assert one.figures["pearson_error_vs_height"] is None
     assert str(one.reason).startswith("1 vehicle is too few") and set(one.ci95.values()) == {None}
+
+
+@pytest.mark.parametrize("n", [6, 20, 400, MOST_FOR_BOOTSTRAP + 1])
+@pytest.mark.parametrize("rounding", ["cm", "none"])
+@pytest.mark.parametrize("error_m", [0.0, 0.02, 0.03, -0.01])
+def test_equal_errors_have_no_spread_no_interval_and_no_correlation(
+    n: int, rounding: Rounding, error_m: float
+) -> None:
+    """1.47 - 1.45 is not 1.52 - 1.50 in binary: what is left over is no error and no spread."""
+    reference = np.round(np.random.default_rng(1).uniform(1.3, 2.0, n), 2)
+    measured = np.round(reference + error_m, 2)
+    group = error_table(measured, reference, ["daytime"] * n, rounding)["overall"]
+    assert group.figures["bias_m"] == pytest.approx(error_m, abs=1e-15)
+    assert group.figures["sd_m"] == pytest.approx(0.0, abs=1e-15)
+    spread = ("pearson_error_vs_height", "pearson_abs_error_vs_height", "skewness")
+    assert [group.figures[name] for name in spread] == [None, None, None]
+    assert {group.ci95[name] for name in FIGURES} == {None}
+    error, rounded = signed_errors(measured, reference, rounding)
+    assert isinstance(reference_part(error, rounded), Said)
 
 
 @pytest.mark.parametrize("surveys", [70, *(pytest.param(n, marks=pytest.mark.proof) for n in (100, 200))])

@@ -149,9 +149,9 @@ def reference_part(
     n = len(error)
     if n < LEAST:
         return Said("stat-variance-shares-need", least=LEAST, count=n)
-    variance = float(error.var(ddof=1))
-    if variance <= 0:
+    if np.ptp(error) <= 0:
         return Said("stat-errors-alike")
+    variance = float(error.var(ddof=1))
     truth = float(np.mean(np.square(np.broadcast_to(u_reference_m, (n,)))))
     rounding = 2.0 * float(ROUNDING_M) ** 2 if rounded else 0.0
     left = variance - truth - rounding

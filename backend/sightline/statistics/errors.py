@@ -90,21 +90,22 @@ def signed_errors(measured_m: ArrayLike, reference_m: ArrayLike, rounding: Round
     """(errors, reference heights), both (N,); `measured_m`, `reference_m` (N,), all in metres.
 
     error = measured - reference (CONVENTIONS.md, Frames and signs), after rounding both where `rounding` is
-    "cm" (Dupuis et al. 2019, section 3.4).
+    "cm" (Dupuis et al. 2019, section 3.4). To the picometre, so that errors that are equal are equal numbers.
     """
     measured = np.asarray(measured_m, dtype=np.float64)
     reference = np.asarray(reference_m, dtype=np.float64)
     if rounding == "cm":
         measured, reference = round_to_cm(measured), round_to_cm(reference)
-    return measured - reference, reference
+    return np.round(measured - reference, 12), reference
 
 
 def _pearson(a: Floats, b: Floats) -> Floats:
+    differ = (np.ptp(a, axis=-1) > 0.0) & (np.ptp(b, axis=-1) > 0.0)
     a = a - a.mean(axis=-1, keepdims=True)
     b = b - b.mean(axis=-1, keepdims=True)
     scale = np.sqrt(np.sum(a * a, axis=-1) * np.sum(b * b, axis=-1))
     with np.errstate(invalid="ignore", divide="ignore"):
-        return np.asarray(np.where(scale > 1e-15, np.sum(a * b, axis=-1) / scale, np.nan))
+        return np.asarray(np.where(differ, np.sum(a * b, axis=-1) / scale, np.nan))
 
 
 def _figures(error: Floats, height: Floats, axis: int = -1) -> Floats:
@@ -113,8 +114,7 @@ def _figures(error: Floats, height: Floats, axis: int = -1) -> Floats:
     absolute, square = np.abs(error), np.square(error)
     mse = square.mean(axis=-1)
     with np.errstate(invalid="ignore", divide="ignore"):
-        n = error.shape[-1]
-        sd = np.sqrt(np.maximum(mse - error.mean(axis=-1) ** 2, 0.0) * n / (n - 1)) if n > 1 else mse * np.nan
+        sd = error.std(axis=-1, ddof=1) if error.shape[-1] > 1 else mse * np.nan
     return np.stack(
         [
             error.mean(axis=-1),
@@ -246,8 +246,8 @@ def error_group(
         why = Said("stat-too-few-of-spread", count=n, needed=_LEAST_FOR_INTERVALS)
         ci95 = {**none_yet, "bias_m": total["bias_m"]}
         return ErrorGroup(n=n, figures=figures, ci95=ci95, reason=why, holds=holds, words=words)
-    ci95 = {}
-    if not total.keys() >= set(names):
+    ci95 = dict.fromkeys(FIGURES)
+    if np.ptp(error) > 0.0 and not total.keys() >= set(names):
         ci95 = {
             name: Interval(float(low), float(high)) if np.isfinite([low, high]).all() else None
             for name, (low, high) in zip(FIGURES, _intervals(error, height), strict=True)
