@@ -74,6 +74,12 @@ class ErrorGroup:
     holds: dict[str, tuple[IntervalPart, ...]] = field(default_factory=dict)
     words: Said | None = None
 
+    def total_ends(self) -> tuple[Interval | None, Interval | None]:
+        """Of bias and SD, where they hold more than sampling."""
+        if {"shared_errors", "sites"}.isdisjoint(self.holds.get("bias_m", ())):
+            return None, None
+        return self.ci95["bias_m"], self.ci95["sd_m"]
+
 
 def round_to_cm(height_m: ArrayLike) -> Floats:
     """Heights `height_m`, any shape, as the paper compares them (Dupuis et al. 2019, section 3.4): to integer
