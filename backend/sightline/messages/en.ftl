@@ -3352,8 +3352,8 @@ statistics-error-sd_m = SD
 statistics-error-pearson_error_vs_height = r(error, height)
 statistics-error-pearson_abs_error_vs_height = r(|error|, height)
 statistics-errors-note = Below each value: its 95 % CI. SD is that of the signed error, n − 1. Values are not pooled from other values.
-statistics-errors-holds = The intervals include { $words }. Those of correlations and skewness include sampling only.
-statistics-shares-title = Shares of errors in per cent, with exact 95 % CIs, and skewness
+statistics-errors-holds = The intervals include { $words }. Those of correlations, skewness and regression lines include sampling only.
+statistics-shares-title = Shares of errors in per cent, with 95 % CIs, and skewness
 statistics-skewness = Skewness
 statistics-within = Within { $within }
 paper-day = SD is that of the signed error and differs from the RMSE, so there was a bias of 7 to 13 mm that is not printed. The text’s “less than 10 % below 2 cm” is possible here: MAE and MSE allow as little as 0 to 3 % where errors reach 7 cm.
@@ -7769,7 +7769,7 @@ report-less-than = less than { $percent }
 
 report-errors = Error against reference heights
 report-errors-none = No accepted roof height has a reference height, so errors cannot be stated. Enter manufacturers’ heights in the vehicle records.
-report-errors-holds = The 95 % intervals include { $holds }. Those of correlations and skewness include sampling only.
+report-errors-holds = The 95 % intervals include { $holds }. Those of correlations, skewness and regression lines include sampling only.
 report-errors-words = Error = measured minus reference, of roofs corrected by their inset, without rounding. All values are computed from the individual errors, never from other values.
 report-errors-table = Errors with their 95 % CIs.
 report-row-bias = Bias (mean error)

@@ -3354,8 +3354,8 @@ statistics-error-sd_m = Écart-type
 statistics-error-pearson_error_vs_height = r(erreur, hauteur)
 statistics-error-pearson_abs_error_vs_height = r(|erreur|, hauteur)
 statistics-errors-note = Sous chaque valeur : son intervalle de confiance à 95 %. L’écart-type est celui de l’erreur signée, n − 1. Aucune valeur n’est agrégée à partir d’autres.
-statistics-errors-holds = Les intervalles comprennent { $words }. Ceux des corrélations et de l’asymétrie ne comprennent que l’échantillonnage.
-statistics-shares-title = Parts des erreurs en pour cent, avec intervalles exacts à 95 %, et asymétrie
+statistics-errors-holds = Les intervalles comprennent { $words }. Ceux des corrélations, de l’asymétrie et des droites de régression ne comprennent que l’échantillonnage.
+statistics-shares-title = Parts des erreurs en pour cent, avec intervalles à 95 %, et asymétrie
 statistics-skewness = Asymétrie
 statistics-within = À { $within } près
 paper-day = L’écart-type (SD) est celui de l’erreur signée et diffère de la RMSE ; il y avait donc un biais de 7 à 13 mm, qui n’est pas imprimé. Le « moins de 10 % sous 2 cm » du texte est possible ici : MAE et MSE permettent 0 à 3 % si des erreurs atteignent 7 cm.
@@ -7830,7 +7830,7 @@ report-less-than = moins de { $percent }
 
 report-errors = Erreur par rapport aux hauteurs de référence
 report-errors-none = Aucune hauteur de toit validée n’a de hauteur de référence : les erreurs ne peuvent pas être indiquées. Saisissez la hauteur du constructeur dans les fiches des véhicules.
-report-errors-holds = Les intervalles à 95 % comprennent { $holds }. Ceux des corrélations et de l’asymétrie ne comprennent que l’échantillonnage.
+report-errors-holds = Les intervalles à 95 % comprennent { $holds }. Ceux des corrélations, de l’asymétrie et des droites de régression ne comprennent que l’échantillonnage.
 report-errors-words = Erreur = mesure moins référence, pour les toits corrigés de leur retrait, sans arrondi. Toutes les valeurs sont calculées à partir des erreurs individuelles, jamais à partir d’autres valeurs.
 report-errors-table = Erreurs avec leurs intervalles de confiance à 95 %.
 report-row-bias = Biais (erreur moyenne)
