@@ -30,6 +30,8 @@ from sightline.statistics.errors import (
     signed_errors,
 )
 from sightline.statistics.paper import PAPER
+from sightline.statistics.shared_errors import SharedErrors
+from sightline.statistics.total_uncertainty import HeightSample
 
 
 def rows(n: int, seed: int = 1) -> tuple[np.ndarray, np.ndarray]:
@@ -170,6 +172,25 @@ def test_intervals_hold_what_they_promise(surveys: int) -> None:
     # BCa undercovers by about 1 % at n = 60; a standard deviation of such a share is 1.7 % of 200 draws, and
     # 2.6 % of 70: they are held to the same bounds.
     assert all(0.90 <= count / surveys <= 0.99 for count in inside.values()), inside
+
+
+@pytest.mark.parametrize("surveys", [40, pytest.param(300, marks=pytest.mark.proof)])
+def test_a_limit_between_whole_centimetres_parts_them_as_the_one_below_does(surveys: int) -> None:
+    """Of errors in whole centimetres as many lie within 15 mm as within 10 mm, so both have one interval, and
+    it holds the share that such surveys have on average, 0.595 (20 000 of them; one pose, u 10 mm).
+    """
+    rng = np.random.default_rng(1)
+    one_pose = (SharedErrors(np.zeros(100, dtype=np.int64), np.full(100, 0.01)),)
+    held = []
+    for _ in range(surveys):
+        reference = np.round(rng.uniform(1.3, 2.0, 100), 2)
+        measured = reference + rng.normal(0.0, 0.015, 100) + rng.normal(0.0, 0.01)
+        sample = HeightSample(measured, np.full(100, 0.015), one_pose)
+        group = error_table(measured, reference, [""] * 100, "cm", sample)["overall"]
+        within = group.ci95["share_within_10_mm"]
+        assert within is not None and within == group.ci95["share_within_15_mm"]
+        held.append(within.low <= 0.595 <= within.high)
+    assert np.mean(held) >= 0.94
 
 
 def heights_csv(folder: Path, text: str) -> Path:

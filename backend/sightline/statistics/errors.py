@@ -219,9 +219,10 @@ def error_group(
     reference_m: ArrayLike,
     measured: HeightSample | None = None,
     names: tuple[str, ...] = ALL_FIGURES,
+    rounding: Rounding = "none",
 ) -> ErrorGroup:
     """One column of the table from `error_m`, `reference_m` (N,), metres, with its 95 % intervals; `names`:
-    which of its figures.
+    which of its figures; `rounding`: what the errors were rounded to.
 
     The figures of Dupuis et al. 2019, Table 1 (its MSE is in m^2, printed as m), and of section 3.4
     (correlations), with skewness and shares that it leaves out, each from the raw errors; SD is that of the
@@ -241,7 +242,7 @@ def error_group(
     figures = {name: float(v) if np.isfinite(v) else None for name, v in zip(FIGURES, values, strict=True)}
     shares, shares_ci95 = _shares(error)
     figures = {name: value for name, value in (figures | shares).items() if name in names}
-    total, parts, words = _totals(error, measured, names)
+    total, parts, words = _totals(error, measured, names, rounding)
     sampled: tuple[IntervalPart, ...] = ("sampling", "random_error", "known_heights")
     holds = {name: sampled if name in _SAMPLED_ALONE else parts for name in names}
     if n < _LEAST_FOR_INTERVALS:
@@ -265,7 +266,7 @@ def error_group(
 
 
 def _totals(
-    error: Floats, measured: HeightSample | None, names: tuple[str, ...]
+    error: Floats, measured: HeightSample | None, names: tuple[str, ...], rounding: Rounding
 ) -> tuple[dict[str, Interval], tuple[IntervalPart, ...], Said]:
     """Total intervals of what has them, what they hold, and that in words; of few errors the bias alone."""
     intervals: dict[str, Interval] = {}
@@ -279,13 +280,14 @@ def _totals(
             if bias.U95_low is not None and bias.U95_high is not None:
                 intervals["bias_m"] = Interval(bias.U95_low, bias.U95_high)
             if len(error) >= _LEAST_FOR_INTERVALS:
-                intervals |= _spread_totals(ErrorTotals(error, measured.shared, measured.site), names)
+                totals = ErrorTotals(error, measured.shared, measured.site)
+                intervals |= _spread_totals(totals, names, rounding)
     there = {"sites": sites is not None, "shared_errors": shared}
     parts = tuple(part for part in get_args(IntervalPart) if there.get(part, True))
     return intervals, parts, interval_contents(parts, sites, Said("stat-random-errors"))
 
 
-def _spread_totals(totals: ErrorTotals, names: tuple[str, ...]) -> dict[str, Interval]:
+def _spread_totals(totals: ErrorTotals, names: tuple[str, ...], rounding: Rounding) -> dict[str, Interval]:
     mse, mae, sd = totals.mse(), totals.mae(), totals.sd()
     intervals = {
         "mae_m": Interval(*mae),
@@ -296,8 +298,17 @@ def _spread_totals(totals: ErrorTotals, names: tuple[str, ...]) -> dict[str, Int
     for name, limit_m in SHARES_WITHIN_M.items():
         if name not in names:
             continue
-        intervals[name] = Interval(*totals.share_within(limit_m + _ROUNDING_M))
+        intervals[name] = Interval(*totals.share_within(_parting_m(limit_m, rounding)))
     return intervals
+
+
+def _parting_m(limit_m: float, rounding: Rounding) -> float:
+    """Where a limit parts errors: of whole centimetres halfway between two, for what heights share moves them
+    before they are rounded.
+    """
+    if rounding == "none":
+        return limit_m + _ROUNDING_M
+    return WHOLE_CM * (int(limit_m / WHOLE_CM + _ROUNDING_M) + 0.5)
 
 
 def error_table(
@@ -340,7 +351,10 @@ def error_table(
     chosen = {name: where == name for name in GROUPS[:2]} | {"overall": np.ones(len(error), dtype=bool)}
     return {
         name: error_group(
-            error[rows], reference[rows], None if measured is None else measured.where(np.flatnonzero(rows))
+            error[rows],
+            reference[rows],
+            None if measured is None else measured.where(np.flatnonzero(rows)),
+            rounding=rounding,
         )
         for name, rows in chosen.items()
     }
