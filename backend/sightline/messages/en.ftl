@@ -3050,7 +3050,7 @@ motion-by-wheelbases = By wheelbases
 
 motion-errors-title = Error against manufacturers’ lengths and wheelbases
 motion-errors-note = with 95 % intervals
-motion-errors-scatter = The intervals show the scatter of these errors only. Wheels are clicked, and with few vehicles the errors of the clicks do not average out: they can shift a bias out of its interval.
+motion-errors-scatter = The intervals show the scatter of these errors only, without the baseline’s error, which all vehicles share. Wheels are clicked, and with few vehicles the errors of the clicks do not average out: they can shift a bias out of its interval.
 motion-errors-table = Errors of lengths and wheelbases
 motion-errors-of = Quantity
 motion-errors-n = n
@@ -7896,6 +7896,7 @@ report-over-wheelbases = Measured divided by known wheelbases of { $n ->
 report-baseline-agrees = The ratio is within 2 u of 1, so they do not contradict the baseline.
 report-sizes-none = No accepted vehicle has a known length or wheelbase, so their errors cannot be stated.
 report-sizes = Errors (measured minus manufacturer’s size) in { $unit }, with 95 % CIs.
+report-sizes-scatter = The intervals show the scatter of these errors only, without the baseline’s error, which all vehicles share.
 report-size = Size
 report-references = Differences (measured minus reference) of accepted vehicles from reference measurements, by source. Within: |E<sub>n</sub>| at most 1, that is, within the combined U95 of both (ISO 13528), with the 95 % CI of the share.
 report-reference = Reference

@@ -3055,7 +3055,7 @@ motion-by-wheelbases = D’après les empattements
 
 motion-errors-title = Erreur par rapport aux longueurs et empattements du constructeur
 motion-errors-note = avec intervalles à 95 %
-motion-errors-scatter = Les intervalles ne reflètent que la dispersion de ces erreurs. Les roues sont pointées, et sur peu de véhicules les erreurs de pointé ne se compensent pas : elles peuvent décaler un biais hors de son intervalle.
+motion-errors-scatter = Les intervalles ne reflètent que la dispersion de ces erreurs, sans l’erreur de la base, commune à tous les véhicules. Les roues sont pointées, et sur peu de véhicules les erreurs de pointé ne se compensent pas : elles peuvent décaler un biais hors de son intervalle.
 motion-errors-table = Erreurs des longueurs et des empattements
 motion-errors-of = Grandeur
 motion-errors-n = n
@@ -7957,6 +7957,7 @@ report-over-wheelbases = Empattements mesurés sur empattements connus de { $n -
 report-baseline-agrees = Le rapport s’écarte de 1 de moins de 2 u : il est compatible avec la base.
 report-sizes-none = Aucun véhicule validé n’a de longueur ni d’empattement connus : leurs erreurs ne peuvent pas être indiquées.
 report-sizes = Erreurs (mesure moins dimensions du constructeur) en { $unit }, avec des intervalles à 95 %.
+report-sizes-scatter = Les intervalles ne reflètent que la dispersion de ces erreurs, sans l’erreur de la base, commune à tous les véhicules.
 report-size = Dimension
 report-references = Écarts (mesure moins référence) des véhicules validés par rapport aux mesures de référence, par source. Accord : |E<sub>n</sub>| d’au plus 1, soit un écart inférieur à l’U95 composée des deux (ISO 13528), avec l’intervalle à 95 % de la part.
 report-reference = Référence
