@@ -271,7 +271,7 @@ def _totals(
     """Total intervals of what has them, what they hold, and that in words; of few errors the bias alone."""
     intervals: dict[str, Interval] = {}
     sites = None
-    shared = measured is not None and bool(measured.shared)
+    shared = measured is not None and any(bool(np.any(one.group >= 0)) for one in measured.shared)
     if measured is not None:
         of_errors = TotalUncertainty(replace(measured, height_m=error))
         sites = of_errors.sites
