@@ -19,7 +19,7 @@ from sightline.commands.errors import errors
 from sightline.enums import Rounding
 from sightline.errors import BadInput
 from sightline.messages.said import Said
-from sightline.statistics.agreement import reference_part
+from sightline.statistics.agreement import bland_altman, reference_part, trend
 from sightline.statistics.errors import (
     ALL_FIGURES,
     FIGURES,
@@ -155,7 +155,8 @@ def test_equal_errors_have_no_spread_no_interval_and_no_correlation(
     assert [group.figures[name] for name in spread] == [None, None, None]
     assert {group.ci95[name] for name in FIGURES} == {None}
     error, rounded = signed_errors(measured, reference, rounding)
-    assert isinstance(reference_part(error, rounded), Said)
+    for found in (reference_part(error, rounded), trend(rounded, error), bland_altman(error)):
+        assert isinstance(found, Said)
 
 
 @pytest.mark.parametrize("surveys", [70, *(pytest.param(n, marks=pytest.mark.proof) for n in (100, 200))])

@@ -83,6 +83,8 @@ def trend(at: ArrayLike, value: ArrayLike) -> Trend | Said:
         return Said("stat-trend-needs", least=LEAST, count=n)
     if np.ptp(x) <= 0:
         return Said("stat-heights-alike")
+    if np.ptp(y) <= 0:
+        return Said("stat-errors-alike")
     line = scipy.stats.linregress(x, y)
     t = float(scipy.stats.t.ppf(0.5 + 0.5 * CONFIDENCE, n - 2))
     grid = np.linspace(x.min(), x.max(), _PLACES)
