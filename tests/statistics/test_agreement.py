@@ -7,6 +7,10 @@ from scipy import stats
 from sightline.messages.said import Said
 from sightline.statistics.agreement import bland_altman, reference_part, trend
 from sightline.statistics.corrections import CORRECTIONS, Known, correct_heights
+from sightline.statistics.errors import error_group
+from sightline.statistics.shared_errors import SharedErrors
+from sightline.statistics.summary import Roofs, errors_of
+from sightline.statistics.total_uncertainty import HeightSample
 
 U_TRUTH = 0.03 / np.sqrt(3)
 
@@ -44,6 +48,41 @@ def test_limits_of_agreement() -> None:
         held.append(one.upper_ci95.low <= 1.959964 * 0.02 <= one.upper_ci95.high)
     assert np.mean(held) == pytest.approx(0.95, abs=0.03)
     assert "at least 4" in str(bland_altman([0.1]))
+
+
+@pytest.mark.parametrize("surveys", [40, pytest.param(400, marks=pytest.mark.proof)])
+def test_limits_of_agreement_are_no_surer_than_the_bias_that_they_lie_about(surveys: int) -> None:
+    """Errors that share a pose's, u 10 mm: both limits move with it; coverage over simulated surveys."""
+    rng = np.random.default_rng(8)
+    shared = (SharedErrors(np.zeros(80, dtype=np.int64), np.full(80, 0.01)),)
+    lower, upper = -1.959964 * 0.015, 1.959964 * 0.015
+    held = []
+    for _ in range(surveys):
+        error = rng.normal(0.0, 0.015, 80) + rng.normal(0.0, 0.01)
+        reference = rng.normal(1.5, 0.1, 80)
+        group = error_group(error, reference, HeightSample(reference, np.full(80, 0.01), shared))
+        found, bias = bland_altman(error, *group.total_ends()), group.ci95["bias_m"]
+        assert not isinstance(found, Said) and bias is not None
+        widths = [one.high - one.low for one in (found.lower_ci95, found.upper_ci95)]
+        assert min(widths) > bias.high - bias.low
+        held.append(found.lower_ci95.low <= lower <= found.lower_ci95.high)
+        held.append(found.upper_ci95.low <= upper <= found.upper_ci95.high)
+    assert 0.90 <= np.mean(held) <= 0.99
+
+
+def test_a_survey_states_the_total_intervals_of_its_limits_of_agreement() -> None:
+    rng = np.random.default_rng(9)
+    reference = rng.normal(1.5, 0.1, 60)
+    measured, lighting = reference + rng.normal(0.0, 0.015, 60), np.array(["daytime"] * 60)
+    one_pose = (SharedErrors(np.zeros(60, dtype=np.int64), np.full(60, 0.02)),)
+    widths = []
+    for shared in ((), one_pose):
+        parts = HeightSample(measured, np.full(60, 0.01), shared)
+        roofs = Roofs(measured, measured, reference, np.full(60, 0.01), lighting, parts)
+        found = errors_of(roofs, "inset", "none").bland_altman
+        assert not isinstance(found, Said)
+        widths.append(found.upper_ci95.high - found.upper_ci95.low)
+    assert widths[0] < 0.02 and widths[1] > 2 * 1.96 * 0.02
 
 
 def test_what_an_uncertain_reference_explains() -> None:

@@ -98,3 +98,29 @@ def test_many_cells_of_a_study_take_no_time() -> None:
     assert low < 0.017 < high < 0.0185
     low, high = totals.sd()
     assert low < 0.017 < high
+
+
+def test_how_groups_are_numbered_and_rows_are_ordered_changes_nothing() -> None:
+    rng = np.random.default_rng(3)
+    group, site = np.repeat(np.arange(6), [10, 20, 15, 25, 20, 30]), rng.integers(0, 3, 120)
+    error = rng.normal(0.0, 0.012, 120) + rng.normal(0.0, 0.008, 6)[group]
+    seen = []
+    for numbered, order in ((np.arange(6), np.arange(120)), (rng.permutation(6), rng.permutation(120))):
+        shared = (SharedErrors(numbered[group][order], np.full(120, 0.008)),)
+        totals = ErrorTotals(error[order], shared, (site[order] + 1) % 3)
+        seen.append([*totals.mae(), *totals.mse(), *totals.sd(), *totals.share_within(0.01)])
+    assert seen[1] == pytest.approx(seen[0], rel=1e-9)
+
+
+def test_rows_that_share_nothing_are_as_if_no_others_did() -> None:
+    """Low light has a pose that is told, daytime has none."""
+    rng = np.random.default_rng(4)
+    error, reference = rng.normal(0.0, 0.012, 40), rng.uniform(1.4, 1.8, 40)
+    measured, lighting = reference + error, ["daytime"] * 20 + ["low_light"] * 20
+    group = np.repeat([-1, 0], 20)
+    shared = (SharedErrors(group, np.where(group < 0, 0.0, 0.01)),)
+    sample = HeightSample(measured, np.full(40, 0.01), shared)
+    found = error_table(measured, reference, lighting, "none", sample)
+    alone = error_table(measured[:20], reference[:20], lighting[:20], "none")
+    assert found["daytime"] == alone["daytime"]
+    assert "shared_errors" in found["low_light"].holds["mae_m"]

@@ -16,7 +16,10 @@ from scipy.optimize import linprog
 
 from sightline.cli import main
 from sightline.commands.errors import errors
+from sightline.enums import Rounding
 from sightline.errors import BadInput
+from sightline.messages.said import Said
+from sightline.statistics.agreement import bland_altman, reference_part, trend
 from sightline.statistics.errors import (
     ALL_FIGURES,
     FIGURES,
@@ -24,8 +27,11 @@ from sightline.statistics.errors import (
     error_group,
     error_table,
     round_to_cm,
+    signed_errors,
 )
 from sightline.statistics.paper import PAPER
+from sightline.statistics.shared_errors import SharedErrors
+from sightline.statistics.total_uncertainty import HeightSample
 
 
 def rows(n: int, seed: int = 1) -> tuple[np.ndarray, np.ndarray]:
@@ -133,6 +139,26 @@ def test_too_few_rows_have_a_reason_and_no_interval() -> None:
     assert str(one.reason).startswith("1 vehicle is too few") and set(one.ci95.values()) == {None}
 
 
+@pytest.mark.parametrize("n", [6, 20, 400, MOST_FOR_BOOTSTRAP + 1])
+@pytest.mark.parametrize("rounding", ["cm", "none"])
+@pytest.mark.parametrize("error_m", [0.0, 0.02, 0.03, -0.01])
+def test_equal_errors_have_no_spread_no_interval_and_no_correlation(
+    n: int, rounding: Rounding, error_m: float
+) -> None:
+    """1.47 - 1.45 is not 1.52 - 1.50 in binary: what is left over is no error and no spread."""
+    reference = np.round(np.random.default_rng(1).uniform(1.3, 2.0, n), 2)
+    measured = np.round(reference + error_m, 2)
+    group = error_table(measured, reference, ["daytime"] * n, rounding)["overall"]
+    assert group.figures["bias_m"] == pytest.approx(error_m, abs=1e-15)
+    assert group.figures["sd_m"] == pytest.approx(0.0, abs=1e-15)
+    spread = ("pearson_error_vs_height", "pearson_abs_error_vs_height", "skewness")
+    assert [group.figures[name] for name in spread] == [None, None, None]
+    assert {group.ci95[name] for name in FIGURES} == {None}
+    error, rounded = signed_errors(measured, reference, rounding)
+    for found in (reference_part(error, rounded), trend(rounded, error), bland_altman(error)):
+        assert isinstance(found, Said)
+
+
 @pytest.mark.parametrize("surveys", [70, *(pytest.param(n, marks=pytest.mark.proof) for n in (100, 200))])
 def test_intervals_hold_what_they_promise(surveys: int) -> None:
     """Coverage of the 95 % interval of MAE and bias over simulated surveys of 60 vehicles."""
@@ -147,6 +173,25 @@ def test_intervals_hold_what_they_promise(surveys: int) -> None:
     # BCa undercovers by about 1 % at n = 60; a standard deviation of such a share is 1.7 % of 200 draws, and
     # 2.6 % of 70: they are held to the same bounds.
     assert all(0.90 <= count / surveys <= 0.99 for count in inside.values()), inside
+
+
+@pytest.mark.parametrize("surveys", [40, pytest.param(300, marks=pytest.mark.proof)])
+def test_a_limit_between_whole_centimetres_parts_them_as_the_one_below_does(surveys: int) -> None:
+    """Of errors in whole centimetres as many lie within 15 mm as within 10 mm, so both have one interval, and
+    it holds the share that such surveys have on average, 0.595 (20 000 of them; one pose, u 10 mm).
+    """
+    rng = np.random.default_rng(1)
+    one_pose = (SharedErrors(np.zeros(100, dtype=np.int64), np.full(100, 0.01)),)
+    held = []
+    for _ in range(surveys):
+        reference = np.round(rng.uniform(1.3, 2.0, 100), 2)
+        measured = reference + rng.normal(0.0, 0.015, 100) + rng.normal(0.0, 0.01)
+        sample = HeightSample(measured, np.full(100, 0.015), one_pose)
+        group = error_table(measured, reference, [""] * 100, "cm", sample)["overall"]
+        within = group.ci95["share_within_10_mm"]
+        assert within is not None and within == group.ci95["share_within_15_mm"]
+        held.append(within.low <= 0.595 <= within.high)
+    assert np.mean(held) >= 0.94
 
 
 def heights_csv(folder: Path, text: str) -> Path:

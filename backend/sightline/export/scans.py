@@ -60,7 +60,8 @@ _N = integer("n", "number of vehicles", required=True, minimum=0)
 ERRORS = statistics_table(
     "scan_errors",
     "Errors (measured minus manufacturer's) of lengths and wheelbases of accepted scanned vehicles, not "
-    "rounded, by lighting and overall; figures named _m are in metres, _m2 in square metres.",
+    "rounded, by lighting and overall; figures named _m are in metres, _m2 in square metres. Intervals "
+    "include sampling only, not the baseline's error, which all vehicles share.",
     _SIZE,
     text("group", "which group", required=True),
     text("figure", "which figure", required=True),

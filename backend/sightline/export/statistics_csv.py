@@ -84,7 +84,7 @@ AGREEMENT = statistics_table(
     "agreement",
     "Bland and Altman's limits of agreement, the regression of signed and absolute error on the "
     "manufacturer's height, and the share of the errors' variance that the manufacturers' heights themselves "
-    "explain.",
+    "explain. Intervals of the limits are total; those of the regression include sampling only.",
     _HEIGHTS,
     _ROUNDING,
     text("figure", "which figure; _m, and intercepts: metres", required=True),

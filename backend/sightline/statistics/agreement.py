@@ -83,6 +83,8 @@ def trend(at: ArrayLike, value: ArrayLike) -> Trend | Said:
         return Said("stat-trend-needs", least=LEAST, count=n)
     if np.ptp(x) <= 0:
         return Said("stat-heights-alike")
+    if np.ptp(y) <= 0:
+        return Said("stat-errors-alike")
     line = scipy.stats.linregress(x, y)
     t = float(scipy.stats.t.ppf(0.5 + 0.5 * CONFIDENCE, n - 2))
     grid = np.linspace(x.min(), x.max(), _PLACES)
@@ -105,29 +107,41 @@ def trend(at: ArrayLike, value: ArrayLike) -> Trend | Said:
     )
 
 
-def bland_altman(error_m: ArrayLike) -> BlandAltman | Said:
+def bland_altman(
+    error_m: ArrayLike, bias: Interval | None = None, sd: Interval | None = None
+) -> BlandAltman | Said:
     """Limits of agreement from errors `error_m` (N,), metres: bias +- 1.96 sd, or the reason why there are
-    none.
+    none. bias, sd: total 95 % intervals of both, where heights share errors or have several sites.
 
-    Bland and Altman 1999: the variance of a limit is sd^2 (1/n + 1.96^2 / (2 (n - 1))).
+    Bland and Altman 1999: the variance of a limit is sd^2 (1/n + 1.96^2 / (2 (n - 1))). Its two parts are
+    recovered from the intervals of bias and SD where these are given (Zou and Donner 2008).
     """
     error = np.asarray(error_m, dtype=np.float64)
     n = len(error)
     if n < LEAST:
         return Said("stat-limits-need", least=LEAST, count=n)
+    if np.ptp(error) <= 0:
+        return Said("stat-errors-alike")
     z = COVERAGE_95
     t = float(scipy.stats.t.ppf(0.5 + 0.5 * CONFIDENCE, n - 1))
-    bias, sd = float(error.mean()), float(error.std(ddof=1))
-    limit_half = t * sd * np.sqrt(1.0 / n + 0.5 * z * z / (n - 1))
-    lower, upper = bias - z * sd, bias + z * sd
+    mean, spread = float(error.mean()), float(error.std(ddof=1))
+    bias = bias or _about(mean, t * spread / np.sqrt(n))
+    sd = sd or _about(spread, t * spread / np.sqrt(2.0 * (n - 1)))
+    down, up = mean - bias.low, bias.high - mean
+    narrower, wider = z * (spread - sd.low), z * (sd.high - spread)
+    lower, upper = mean - z * spread, mean + z * spread
     return BlandAltman(
         n=n,
-        bias_m=bias,
+        bias_m=mean,
         lower_m=lower,
-        lower_ci95=Interval(lower - limit_half, lower + limit_half),
+        lower_ci95=Interval(lower - float(np.hypot(down, wider)), lower + float(np.hypot(up, narrower))),
         upper_m=upper,
-        upper_ci95=Interval(upper - limit_half, upper + limit_half),
+        upper_ci95=Interval(upper - float(np.hypot(down, narrower)), upper + float(np.hypot(up, wider))),
     )
+
+
+def _about(value: float, half: float) -> Interval:
+    return Interval(value - half, value + half)
 
 
 def reference_part(
@@ -149,9 +163,9 @@ def reference_part(
     n = len(error)
     if n < LEAST:
         return Said("stat-variance-shares-need", least=LEAST, count=n)
-    variance = float(error.var(ddof=1))
-    if variance <= 0:
+    if np.ptp(error) <= 0:
         return Said("stat-errors-alike")
+    variance = float(error.var(ddof=1))
     truth = float(np.mean(np.square(np.broadcast_to(u_reference_m, (n,)))))
     rounding = 2.0 * float(ROUNDING_M) ** 2 if rounded else 0.0
     left = variance - truth - rounding

@@ -262,6 +262,15 @@ def _of_sites(
     return [SharedErrors(sites.code, np.full(len(error_m), np.sqrt(extra)))] if extra > 0.0 else []
 
 
+def _ranks(group: Ints, weight: Floats, mean_m: Floats) -> Ints:
+    """Numbers (C,) from 0 of the groups of cells, by what a group weighs and then its mean: how groups were
+    numbered, and so the order of rows, changes no draw.
+    """
+    _, column = np.unique(group, return_inverse=True)
+    parts = (np.bincount(column, weight * mean_m), np.bincount(column, weight))
+    return np.argsort(np.lexsort([part.round(12) for part in parts]))[column]
+
+
 def _cells(error_m: Floats, share: Floats, shared: Sequence[SharedErrors]) -> _Cells:
     code = np.zeros(len(error_m), np.int64)
     for one in shared:
@@ -276,8 +285,9 @@ def _cells(error_m: Floats, share: Floats, shared: Sequence[SharedErrors]) -> _C
         group = np.full(len(weight), -1)
         group[code] = errors.group
         known = group >= 0
-        names, column = np.unique(group[known], return_inverse=True)
-        moved[:, known] += _deviates(len(names), draws, k + 1)[:, column] * u[known]
+        if known.any():
+            column = _ranks(group[known], weight[known], mean[known])
+            moved[:, known] += _deviates(int(column.max()) + 1, draws, k + 1)[:, column] * u[known]
     several = count[code] > 1.0
     own = (error_m - mean[code]) * np.sqrt(count / np.maximum(count - 1.0, 1.0))[code]
     many = np.count_nonzero(several) > 4

@@ -74,6 +74,12 @@ class ErrorGroup:
     holds: dict[str, tuple[IntervalPart, ...]] = field(default_factory=dict)
     words: Said | None = None
 
+    def total_ends(self) -> tuple[Interval | None, Interval | None]:
+        """Of bias and SD, where they hold more than sampling."""
+        if {"shared_errors", "sites"}.isdisjoint(self.holds.get("bias_m", ())):
+            return None, None
+        return self.ci95["bias_m"], self.ci95["sd_m"]
+
 
 def round_to_cm(height_m: ArrayLike) -> Floats:
     """Heights `height_m`, any shape, as the paper compares them (Dupuis et al. 2019, section 3.4): to integer
@@ -90,21 +96,22 @@ def signed_errors(measured_m: ArrayLike, reference_m: ArrayLike, rounding: Round
     """(errors, reference heights), both (N,); `measured_m`, `reference_m` (N,), all in metres.
 
     error = measured - reference (CONVENTIONS.md, Frames and signs), after rounding both where `rounding` is
-    "cm" (Dupuis et al. 2019, section 3.4).
+    "cm" (Dupuis et al. 2019, section 3.4). To the picometre, so that errors that are equal are equal numbers.
     """
     measured = np.asarray(measured_m, dtype=np.float64)
     reference = np.asarray(reference_m, dtype=np.float64)
     if rounding == "cm":
         measured, reference = round_to_cm(measured), round_to_cm(reference)
-    return measured - reference, reference
+    return np.round(measured - reference, 12), reference
 
 
 def _pearson(a: Floats, b: Floats) -> Floats:
+    differ = (np.ptp(a, axis=-1) > 0.0) & (np.ptp(b, axis=-1) > 0.0)
     a = a - a.mean(axis=-1, keepdims=True)
     b = b - b.mean(axis=-1, keepdims=True)
     scale = np.sqrt(np.sum(a * a, axis=-1) * np.sum(b * b, axis=-1))
     with np.errstate(invalid="ignore", divide="ignore"):
-        return np.asarray(np.where(scale > 1e-15, np.sum(a * b, axis=-1) / scale, np.nan))
+        return np.asarray(np.where(differ, np.sum(a * b, axis=-1) / scale, np.nan))
 
 
 def _figures(error: Floats, height: Floats, axis: int = -1) -> Floats:
@@ -113,8 +120,7 @@ def _figures(error: Floats, height: Floats, axis: int = -1) -> Floats:
     absolute, square = np.abs(error), np.square(error)
     mse = square.mean(axis=-1)
     with np.errstate(invalid="ignore", divide="ignore"):
-        n = error.shape[-1]
-        sd = np.sqrt(np.maximum(mse - error.mean(axis=-1) ** 2, 0.0) * n / (n - 1)) if n > 1 else mse * np.nan
+        sd = error.std(axis=-1, ddof=1) if error.shape[-1] > 1 else mse * np.nan
     return np.stack(
         [
             error.mean(axis=-1),
@@ -213,9 +219,10 @@ def error_group(
     reference_m: ArrayLike,
     measured: HeightSample | None = None,
     names: tuple[str, ...] = ALL_FIGURES,
+    rounding: Rounding = "none",
 ) -> ErrorGroup:
     """One column of the table from `error_m`, `reference_m` (N,), metres, with its 95 % intervals; `names`:
-    which of its figures.
+    which of its figures; `rounding`: what the errors were rounded to.
 
     The figures of Dupuis et al. 2019, Table 1 (its MSE is in m^2, printed as m), and of section 3.4
     (correlations), with skewness and shares that it leaves out, each from the raw errors; SD is that of the
@@ -235,7 +242,7 @@ def error_group(
     figures = {name: float(v) if np.isfinite(v) else None for name, v in zip(FIGURES, values, strict=True)}
     shares, shares_ci95 = _shares(error)
     figures = {name: value for name, value in (figures | shares).items() if name in names}
-    total, parts, words = _totals(error, measured, names)
+    total, parts, words = _totals(error, measured, names, rounding)
     sampled: tuple[IntervalPart, ...] = ("sampling", "random_error", "known_heights")
     holds = {name: sampled if name in _SAMPLED_ALONE else parts for name in names}
     if n < _LEAST_FOR_INTERVALS:
@@ -246,8 +253,8 @@ def error_group(
         why = Said("stat-too-few-of-spread", count=n, needed=_LEAST_FOR_INTERVALS)
         ci95 = {**none_yet, "bias_m": total["bias_m"]}
         return ErrorGroup(n=n, figures=figures, ci95=ci95, reason=why, holds=holds, words=words)
-    ci95 = {}
-    if not total.keys() >= set(names):
+    ci95 = dict.fromkeys(FIGURES)
+    if np.ptp(error) > 0.0 and not total.keys() >= set(names):
         ci95 = {
             name: Interval(float(low), float(high)) if np.isfinite([low, high]).all() else None
             for name, (low, high) in zip(FIGURES, _intervals(error, height), strict=True)
@@ -259,12 +266,12 @@ def error_group(
 
 
 def _totals(
-    error: Floats, measured: HeightSample | None, names: tuple[str, ...]
+    error: Floats, measured: HeightSample | None, names: tuple[str, ...], rounding: Rounding
 ) -> tuple[dict[str, Interval], tuple[IntervalPart, ...], Said]:
     """Total intervals of what has them, what they hold, and that in words; of few errors the bias alone."""
     intervals: dict[str, Interval] = {}
     sites = None
-    shared = measured is not None and bool(measured.shared)
+    shared = measured is not None and any(bool(np.any(one.group >= 0)) for one in measured.shared)
     if measured is not None:
         of_errors = TotalUncertainty(replace(measured, height_m=error))
         sites = of_errors.sites
@@ -273,13 +280,14 @@ def _totals(
             if bias.U95_low is not None and bias.U95_high is not None:
                 intervals["bias_m"] = Interval(bias.U95_low, bias.U95_high)
             if len(error) >= _LEAST_FOR_INTERVALS:
-                intervals |= _spread_totals(ErrorTotals(error, measured.shared, measured.site), names)
+                totals = ErrorTotals(error, measured.shared, measured.site)
+                intervals |= _spread_totals(totals, names, rounding)
     there = {"sites": sites is not None, "shared_errors": shared}
     parts = tuple(part for part in get_args(IntervalPart) if there.get(part, True))
     return intervals, parts, interval_contents(parts, sites, Said("stat-random-errors"))
 
 
-def _spread_totals(totals: ErrorTotals, names: tuple[str, ...]) -> dict[str, Interval]:
+def _spread_totals(totals: ErrorTotals, names: tuple[str, ...], rounding: Rounding) -> dict[str, Interval]:
     mse, mae, sd = totals.mse(), totals.mae(), totals.sd()
     intervals = {
         "mae_m": Interval(*mae),
@@ -290,8 +298,17 @@ def _spread_totals(totals: ErrorTotals, names: tuple[str, ...]) -> dict[str, Int
     for name, limit_m in SHARES_WITHIN_M.items():
         if name not in names:
             continue
-        intervals[name] = Interval(*totals.share_within(limit_m + _ROUNDING_M))
+        intervals[name] = Interval(*totals.share_within(_parting_m(limit_m, rounding)))
     return intervals
+
+
+def _parting_m(limit_m: float, rounding: Rounding) -> float:
+    """Where a limit parts errors: of whole centimetres halfway between two, for what heights share moves them
+    before they are rounded.
+    """
+    if rounding == "none":
+        return limit_m + _ROUNDING_M
+    return WHOLE_CM * (int(limit_m / WHOLE_CM + _ROUNDING_M) + 0.5)
 
 
 def error_table(
@@ -334,7 +351,10 @@ def error_table(
     chosen = {name: where == name for name in GROUPS[:2]} | {"overall": np.ones(len(error), dtype=bool)}
     return {
         name: error_group(
-            error[rows], reference[rows], None if measured is None else measured.where(np.flatnonzero(rows))
+            error[rows],
+            reference[rows],
+            None if measured is None else measured.where(np.flatnonzero(rows)),
+            rounding=rounding,
         )
         for name, rows in chosen.items()
     }

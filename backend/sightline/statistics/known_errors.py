@@ -12,7 +12,7 @@ from sightline.coverage import COVERAGE_95
 from sightline.enums import Category, ErrorGrouping, Lighting, Target
 from sightline.messages.said import Said
 from sightline.statistics.distributions import share_interval
-from sightline.statistics.errors import LENGTHS, ErrorGroup, error_group
+from sightline.statistics.errors import LENGTHS, ErrorGroup, error_group, signed_errors
 from sightline.statistics.total_uncertainty import HeightSample
 
 #: In the order of the tables.
@@ -82,7 +82,7 @@ def known_errors(target: Target, check_target: bool, of: Compared) -> KnownError
     The paper tests roofs alone; nothing in these figures is particular to them. Each has one interval, the
     total one: what heights share (pose, mean inset) is in it (`error_group`).
     """
-    error_m = of.measured.height_m - of.known_m
+    error_m, _ = signed_errors(of.measured.height_m, of.known_m, "none")
 
     def group(rows: NDArray[np.intp]) -> ErrorGroup:
         return error_group(error_m[rows], of.known_m[rows], of.measured.where(rows), LENGTHS)

@@ -137,11 +137,12 @@ def errors_of(roofs: Roofs, correction: Correction, rounding: Rounding) -> Error
     where["overall"] = np.ones(len(error), dtype=np.bool_)
     absolute = np.abs(error)
     step_m = WHOLE_CM if rounding == "cm" else 0.0
+    groups = error_table(measured, roofs.reference_m, list(roofs.lighting), rounding, roofs.parts)
     return Errors(
         rounding=rounding,
-        groups=error_table(measured, roofs.reference_m, list(roofs.lighting), rounding, roofs.parts),
+        groups=groups,
         reference_part=reference_part(error, reference, roofs.u_reference_m, rounded=rounding == "cm"),
-        bland_altman=bland_altman(error),
+        bland_altman=bland_altman(error, *groups["overall"].total_ends()),
         trend=trend(reference, error),
         absolute_trend=trend(reference, absolute),
         absolute={name: ecdf(sorted_values(absolute[rows])) for name, rows in where.items()},

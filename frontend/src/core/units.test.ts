@@ -70,6 +70,9 @@ describe("numbers", () => {
   it("uses a true minus, and none for what rounds to zero", () => {
     expect(fixed(-0.12, 2)).toBe("−0.12");
     expect(fixed(-0.0004, 2)).toBe("0.00");
+    // as reports print them (tests/export/report/test_figures.py), though 1.1475 in binary lies below the half
+    expect([1.1475, 1.0005, 1.2345].map((value) => fixed(value, 3))).toEqual(["1.148", "1.001", "1.235"]);
+    expect([2.15, 0.35].map((value) => fixed(value, 1))).toEqual(["2.2", "0.4"]);
   });
 
   it.each([

@@ -236,7 +236,10 @@ def test_without_room_no_word_is_written() -> None:
 
 def test_numbers_for_people() -> None:
     assert format_fixed(-0.0004, 3) == "0.000"
-    assert format_fixed(-1.25, 1, signed=True) == "−1.3"  # as a browser rounds
+    assert format_fixed(-1.25, 1, signed=True) == "−1.3"
+    # as the pages print them (frontend/src/core/units.test.ts), though 1.1475 in binary lies below the half
+    assert [format_fixed(value, 3) for value in (1.1475, 1.0005, 1.2345)] == ["1.148", "1.001", "1.235"]
+    assert [format_fixed(value, 1) for value in (2.15, 0.35)] == ["2.2", "0.4"]
     assert [limit(1.08, "m"), limit(1.105, "m"), limit(1.08, "ft")] == [
         "1.08\u00a0m",
         "1.105\u00a0m",

@@ -141,7 +141,7 @@ def test_no_number_keeps_its_point(example: ReportFacts) -> None:
 
 @pytest.mark.parametrize("language", messages.languages())
 def test_tables_round_as_sentences_and_figures_do(example: ReportFacts, language: str) -> None:
-    """Ties are those of the decimals that a number is exactly; most that look like one are none."""
+    """Ties are those of the fewest decimals that tell a number, as in browsers."""
     rng = np.random.default_rng(5)
     ties = [
         ((2 * n + 1) / 2 / 10**d, d)
@@ -153,6 +153,7 @@ def test_tables_round_as_sentences_and_figures_do(example: ReportFacts, language
         *((float(x), 7) for x in rng.normal(0, 1e-4, 300)),
     ]
     given += [(0.0, 2), (-0.0004, 3), (1e-12, 1), (0.0625, 3), (1.0005, 3), (2.675, 2), (1234567.5, 0)]
+    given += [(-1.1475, 3), (2.15, 1), (4.4e-14, 7), (3e-9, 7)]
     files = sources(replace(example, language=language))
     files["numbers.json"] = json.dumps(given).encode()
     files["main.typ"] = (
@@ -214,6 +215,7 @@ def test_line_scans_are_french(example: ReportFacts) -> None:
         (ScannedHeights("roof", 1, 0, 0, 1.4, 0.1, 1.4, 0.02),),
     )
     told = flat(words(report(replace(example, scans=scans, language="fr"))))
+    assert flat("que la dispersion de ces erreurs, sans l’erreur de la base, commune à tous") in told
     assert left_in(told) == []
     expected = "Méthode : 1 véhicule par recalage de ses deux bandes entières (recalage direct) et 3 "
     # a page may end in the sentence, a line in a word

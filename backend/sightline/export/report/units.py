@@ -71,8 +71,10 @@ def limit(height_m: float, unit: LengthUnit) -> str:
 
 
 def format_fixed(value: float, digits: int, *, signed: bool = False) -> str:
-    """Fixed decimals with a true minus sign and the language's decimal sign; what rounds to zero has none."""
-    shown = Decimal(value).quantize(Decimal(1).scaleb(-digits), ROUND_HALF_UP)  # as browsers round
+    """Fixed decimals with a true minus sign and the language's decimal sign; what rounds to zero has none.
+    Halves are those of the number as it is written, in its fewest digits: browsers round so.
+    """
+    shown = Decimal(str(value)).quantize(Decimal(1).scaleb(-digits), ROUND_HALF_UP)
     sign = "" if shown == 0 else "−" if shown < 0 else "+" if signed else ""
     return sign + decimal(f"{abs(shown):f}")
 
