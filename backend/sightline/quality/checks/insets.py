@@ -1,7 +1,7 @@
 """What a survey says of its own insets: from manufacturers' heights, the trend with distance, two frames."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import Annotated, get_args
 
@@ -326,7 +326,7 @@ def _offered(estimate: Estimate, name: InsetName, in_force: Inset, sighted: Sigh
                 round(u, 2),
                 f"{note}: {mean}{' (estimate)' if estimate.spread_m is None else ''}",
             )
-    return Estimate(**{**vars(estimate), "difference_m": difference, "offer": offer, "caution": caution})
+    return replace(estimate, difference_m=difference, offer=offer, caution=caution)
 
 
 def _median(values: Sequence[float]) -> float | None:
