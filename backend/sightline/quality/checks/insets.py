@@ -153,10 +153,10 @@ def check_insets(session: Session, survey_id: int) -> InsetCheck:
     survey = get_survey(session, survey_id)
     known = {one.id: one for one in list_sheets(session, survey_id) if not one.check_target}
     of_inset = dict[InsetName | None, list[Measurement]]()
-    for one in list_measurements(session, survey_id):
-        if one.review.verdict != "rejected" and one.vehicle_id in known:
-            name = inset_name(one.values.target, one.values.side, known[one.vehicle_id].category)
-            of_inset.setdefault(name, []).append(one)
+    for made in list_measurements(session, survey_id):
+        if made.review.verdict != "rejected" and made.vehicle_id in known:
+            name = inset_name(made.values.target, made.values.side, known[made.vehicle_id].category)
+            of_inset.setdefault(name, []).append(made)
     checked = tuple(
         _inset(session, survey, name, of_inset.get(name, []), known) for name in get_args(InsetName)
     )
