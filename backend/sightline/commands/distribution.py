@@ -17,7 +17,7 @@ from sightline.infra.given_csv import GivenTable, given_number
 
 if TYPE_CHECKING:
     from sightline.statistics.comparison import Compared
-    from sightline.statistics.figures import Figure
+    from sightline.statistics.figures import TotalFigure
     from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
 
 _USUAL = "2.5,5,10,15,50,85,90,95,97.5"
@@ -192,7 +192,7 @@ def _json(total: TotalUncertainty, percents: Sequence[tuple[str, float]]) -> dic
     }
 
 
-def _figure(figure: Figure) -> dict[str, Any]:
+def _figure(figure: TotalFigure) -> dict[str, Any]:
     ends: dict[str, Any] = {
         "value": figure.value,
         "U95_low": figure.U95_low,
@@ -266,7 +266,7 @@ def _lines(found: TotalUncertainty, percents: Sequence[tuple[str, float]]) -> It
         yield f"{label:>8} {_height(figure.value):>9} {_ends(figure):>20} {'':>9}{_reason(figure)}".rstrip()
 
 
-def _ends(figure: Figure, printed: Callable[[float], str] | None = None) -> str:
+def _ends(figure: TotalFigure, printed: Callable[[float], str] | None = None) -> str:
     if figure.U95_low is None or figure.U95_high is None:
         return "-"
     printed = _height if printed is None else printed
@@ -280,5 +280,5 @@ def _height(value_m: float | None) -> str:
     return HEIGHT["m"].number(value_m)
 
 
-def _reason(one: Figure) -> str:
+def _reason(one: TotalFigure) -> str:
     return "" if one.reason is None else f"  {one.reason}"

@@ -24,7 +24,7 @@ from sightline.infra.csv_package.columns import flag, integer, metres, number, t
 from sightline.infra.csv_package.schema import Column, Row
 from sightline.messages.said import Said
 from sightline.results.survey_statistics import Statistics, standards_of
-from sightline.statistics.figures import Figure
+from sightline.statistics.figures import TotalFigure
 from sightline.statistics.known_errors import KnownErrors
 from sightline.statistics.summary import Distribution, Errors
 
@@ -395,7 +395,7 @@ def _rule_rows(found: Statistics) -> Iterator[Cells]:
         yield {"what": standard.what, "percent": standard.percent, **vars(rule), **named, **ends}
 
 
-def _total_cells(one: Figure) -> Cells:
+def _total_cells(one: TotalFigure) -> Cells:
     return {"value": one.value, "low": one.U95_low, "high": one.U95_high, "reason": one.reason}
 
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from sightline.enums import ComparisonVerdict
 from sightline.messages.said import Said
-from sightline.statistics.figures import Figure, TotalFigure, without_interval
+from sightline.statistics.figures import TotalFigure, without_interval
 from sightline.statistics.total_uncertainty import TotalUncertainty, difference
 
 
@@ -48,7 +48,7 @@ def _figure(found: TotalFigure | Said | None) -> TotalFigure:
     return found if isinstance(found, TotalFigure) else without_interval(found)
 
 
-def difference_of_figures(first: Figure, second: Figure) -> Compared:
+def difference_of_figures(first: TotalFigure, second: TotalFigure) -> Compared:
     """Two figures of samples that share no error, by their own intervals: the second less the first.
 
     Zou and Donner 2008: each end is as far as the two ends that lie that way are together.
@@ -56,7 +56,7 @@ def difference_of_figures(first: Figure, second: Figure) -> Compared:
     return _judge_difference(_subtract_figures(first, second))
 
 
-def _subtract_figures(first: Figure, second: Figure) -> TotalFigure:
+def _subtract_figures(first: TotalFigure, second: TotalFigure) -> TotalFigure:
     if first.value is None or second.value is None:
         return _figure(first.reason if first.value is None else second.reason)
     value = second.value - first.value

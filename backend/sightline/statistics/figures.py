@@ -25,9 +25,9 @@ def without_interval(reason: Said | None, value: float | None = None) -> TotalFi
     return TotalFigure(value, None, None, reason)
 
 
-@dataclass(frozen=True)
-class TotalPercentile:
-    """A percentile of the true heights, metres, with its 95 % interval.
+@dataclass(frozen=True, kw_only=True)
+class TotalPercentile(TotalFigure):
+    """A percentile of the true heights, metres.
 
     raw: the plain percentile of the measured heights (linear between heights, Hyndman & Fan 1996, type 7, as
     NumPy, R and spreadsheets have it). Without support, where fewer heights are there than an interval of the
@@ -35,13 +35,5 @@ class TotalPercentile:
     """
 
     percent: float
-    value: float | None
-    U95_low: float | None
-    U95_high: float | None
     raw: float
     needs: int
-    reason: Said | None = None
-    effect: float | None = None
-
-
-Figure = TotalFigure | TotalPercentile

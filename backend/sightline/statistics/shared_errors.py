@@ -23,8 +23,9 @@ def correlation_of(
 
 
 def inset_codes(inset_m: Floats, u_inset_m: Floats) -> Ints:
-    """Which inset each height assumes, (N,), codes from 0: heights of one value (N,) and one u (N,), metres,
-    to 0.1 mm, have the same error of its mean. Own method.
+    """Which inset each height assumes, (N,), codes from 0, by `inset_m`, `u_inset_m` (N,), metres, to 0.1 mm.
+
+    Never fails. Own reading: heights that assume the same have the same error of its mean.
     """
     inset = np.rint(np.nan_to_num(inset_m) * 1e4) * 100_000 + np.rint(np.nan_to_num(u_inset_m) * 1e4)
     if np.all(inset == inset[:1]):

@@ -5,7 +5,7 @@ from typing import Any
 
 from sightline.messages.said import Said
 from sightline.statistics.comparison import difference_of_figures
-from sightline.statistics.figures import Figure, TotalFigure
+from sightline.statistics.figures import TotalFigure
 from sightline.studies.records import StudyDifference, StudyResult
 
 Row = Mapping[str, Any]
@@ -48,7 +48,7 @@ def _difference(before: Row, after: Row) -> StudyDifference:
     )
 
 
-def difference_in_cells(before: Figure, after: Figure) -> dict[str, Any]:
+def difference_in_cells(before: TotalFigure, after: TotalFigure) -> dict[str, Any]:
     """Two figures, the second less the first, by the fields of `StudyDifference`."""
     compared = difference_of_figures(before, after)
     told = compared.difference
@@ -63,6 +63,6 @@ def no_difference(reason: Said | None) -> dict[str, Any]:
     return {**dict.fromkeys(("value_m", "low_m", "high_m", "verdict")), "reason": reason}
 
 
-def _figure(row: Row) -> Figure:
+def _figure(row: Row) -> TotalFigure:
     reason = Said.read(row["reason"]) if row.get("reason") else None
     return TotalFigure(row["value_m"], row["low_m"], row["high_m"], reason)

@@ -7,7 +7,7 @@ from sightline.enums import ComparisonVerdict, RuleVerdict
 from sightline.export.statistics_rows import INTERVAL, INTERVAL_M, REASON, TOTAL_M
 from sightline.infra.csv_package.columns import flag, integer, metres, number, text
 from sightline.infra.csv_package.schema import Cells, Column, Table
-from sightline.statistics.figures import TotalFigure, TotalPercentile
+from sightline.statistics.figures import TotalFigure
 from sightline.studies.records import Study
 
 _N = integer("n", "how many heights (of classes: vehicles) it rests on", required=True, minimum=0)
@@ -189,7 +189,7 @@ def _years(study: Study) -> Iterator[Cells]:
         yield {**{name: getattr(one, name) for name in plain}, "figure": figure, "reason": one.reason}
 
 
-def _cells_of_figure(figure: TotalFigure | TotalPercentile, n: int, unit: str = "_m") -> Cells:
+def _cells_of_figure(figure: TotalFigure, n: int, unit: str = "_m") -> Cells:
     cells: Cells = {
         (f"value{unit}" if unit else "share"): figure.value,
         f"low{unit}": figure.U95_low,

@@ -142,7 +142,7 @@ class Curve:
     points: list[TotalPercentile]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Study:
     """Everything that comes out of a study. `counted`, `out_of_sample`: accepted heights of each survey that
     count, and that do not, for their vehicle is not in its survey's sample.
@@ -153,13 +153,13 @@ class Study:
     out_of_sample: list[int]
     heights: int
     vehicles: int
-    targets: list[TargetFigures]
-    errors: list[ErrorFigure]
+    targets: list[TargetFigures] = field(default_factory=list)
+    errors: list[ErrorFigure] = field(default_factory=list)
     classes: list[ClassShare]
-    plans: list[PlanRow]
-    rules: list[StudyRule]
-    years: list[YearRow]
-    curves: list[Curve]
+    plans: list[PlanRow] = field(default_factory=list)
+    rules: list[StudyRule] = field(default_factory=list)
+    years: list[YearRow] = field(default_factory=list)
+    curves: list[Curve] = field(default_factory=list)
     notes: list[Said]
 
 

@@ -5,7 +5,7 @@ The surveys' tables come from packages (`query.StudyTables`) or from this instal
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any, Protocol, get_args
 
 import numpy as np
@@ -16,7 +16,7 @@ from sightline.errors import BadInput
 from sightline.messages.said import Said
 from sightline.results.measured_columns_query import Heights
 from sightline.results.standards_store import joined_standards
-from sightline.statistics.figures import Figure
+from sightline.statistics.figures import TotalFigure
 from sightline.statistics.standards import Standard
 from sightline.statistics.study_plan import Components, U95_of, plan
 from sightline.statistics.survey_design import weighting_effect
@@ -30,7 +30,6 @@ from sightline.studies.records import (
     SiteFacts,
     StudiedSurvey,
     Study,
-    StudyRule,
     TargetFigures,
     YearRow,
 )
@@ -76,17 +75,6 @@ class Plan:
     curves: bool = False
 
 
-@dataclass
-class _Found:
-    """What came out so far, target by target."""
-
-    targets: list[TargetFigures] = field(default_factory=list)
-    plans: list[PlanRow] = field(default_factory=list)
-    rules: list[StudyRule] = field(default_factory=list)
-    years: list[YearRow] = field(default_factory=list)
-    curves: list[Curve] = field(default_factory=list)
-
-
 def _silent(_part: float) -> None:
     """Tell nobody how far it is."""
 
@@ -98,37 +86,28 @@ def make_study(surveys: Sequence[StudiedSurvey], tables: Tables, asked: Plan, te
     fit, in one sentence.
     """
     places = places_of(surveys, asked.sites)
-    notes = _notes(surveys, places)
     counted, outside = tables.counted()
-    notes += _notes_of_counts(surveys, counted, outside)
     if not counted.sum():
         raise BadInput("studies-no-height-counts")
     cars = tables.vehicles()
     refuse_fleet(asked.fleet, cars, places)
-    classes = class_shares(cars, places, asked.fleet)
-    standards = joined_standards([one.standards for one in surveys])
-    collected, errors = _Found(), []
-    for done, target in enumerate(TARGETS):
-        tell(done / len(TARGETS))
-        rows = tables.heights(target)
-        _of_target(target, rows, surveys, places, asked, standards, collected, notes)
-        if target == "roof":
-            errors = error_figures(rows, places)
-    return Study(
+    study = Study(
         surveys=list(surveys),
         counted=counted.tolist(),
         out_of_sample=outside.tolist(),
         heights=int(counted.sum()),
         vehicles=len(cars[0]),
-        targets=collected.targets,
-        errors=errors,
-        classes=classes,
-        plans=collected.plans,
-        rules=collected.rules,
-        years=collected.years,
-        curves=collected.curves,
-        notes=notes,
+        classes=class_shares(cars, places, asked.fleet),
+        notes=_notes(surveys, places) + _notes_of_counts(surveys, counted, outside),
     )
+    standards = joined_standards([one.standards for one in surveys])
+    for done, target in enumerate(TARGETS):
+        tell(done / len(TARGETS))
+        rows = tables.heights(target)
+        _put_target(study, target, rows, places, asked, standards)
+        if target == "roof":
+            study.errors.extend(error_figures(rows, places))
+    return study
 
 
 def _notes(surveys: Sequence[StudiedSurvey], places: Places) -> list[Said]:
@@ -157,36 +136,34 @@ def _notes_of_counts(surveys: Sequence[StudiedSurvey], counted: Ints, outside: I
     return notes
 
 
-def _of_target(
+def _put_target(
+    study: Study,
     target: StatisticsTarget,
     rows: Heights,
-    surveys: Sequence[StudiedSurvey],
     places: Places,
     asked: Plan,
     standards: Sequence[Standard],
-    collected: _Found,
-    notes: list[Said],
 ) -> None:
     """Everything of one target, put with what was found."""
     of = weight_heights(rows, places, asked.fleet)
     left_out = len(rows) - of.n
     if left_out:
-        notes.append(Said("study-without-class", count=left_out, target=target))
+        study.notes.append(Said("study-without-class", count=left_out, target=target))
     figures = None if of.design is None else of.figures()
-    collected.targets.append(_target_figures(target, of, figures, places))
+    study.targets.append(_target_figures(target, of, figures, places))
     if figures is not None:
         if figures.sites_are_unlike:
             notes.append(Said("study-sites-unlike", target=target))
         if asked.curves:
             points = [figures.percentile(percent) for percent in _CURVE]
             supported = [one for one in points if one.value is not None]
-            collected.curves += [Curve(target, supported)] if supported else []
-        collected.plans += _plans(target, figures, asked.goal_m, float(places.sites_there.sum()))
+            study.curves.extend([Curve(target, supported)] if supported else [])
+        study.plans.extend(_plans(target, figures, asked.goal_m, float(places.sites_there.sum())))
     rules = rules_of_all(target, of, figures, standards)
     del figures  # as large as all heights, and so are those of a class
     rules |= rules_of_classes(target, of, standards, rules)
-    collected.rules += [rules[n] for n in sorted(rules)]
-    collected.years += _years(target, rows, surveys, asked)
+    study.rules.extend(rules[n] for n in sorted(rules))
+    study.years.extend(_years(target, rows, study.surveys, asked))
 
 
 def _target_figures(
@@ -267,7 +244,7 @@ def _differences(
     if first is None or second is None:
         none = no_difference(of_first.reason or of_second.reason)
         return [YearRow(**named, percent=None, **none)] if of_first.n and of_second.n else []
-    pairs: list[tuple[float | None, Figure, Figure]] = [
+    pairs: list[tuple[float | None, TotalFigure, TotalFigure]] = [
         (percent, first.percentile(percent), second.percentile(percent)) for percent in PERCENTS
     ]
     pairs.append((None, first.mean(), second.mean()))

@@ -1,7 +1,7 @@
 """What a survey says of its own insets: from manufacturers' heights, the trend with distance, two frames."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import Annotated, get_args
 
@@ -153,10 +153,10 @@ def check_insets(session: Session, survey_id: int) -> InsetCheck:
     survey = get_survey(session, survey_id)
     known = {one.id: one for one in list_sheets(session, survey_id) if not one.check_target}
     of_inset = dict[InsetName | None, list[Measurement]]()
-    for one in list_measurements(session, survey_id):
-        if one.review.verdict != "rejected" and one.vehicle_id in known:
-            name = inset_name(one.values.target, one.values.side, known[one.vehicle_id].category)
-            of_inset.setdefault(name, []).append(one)
+    for made in list_measurements(session, survey_id):
+        if made.review.verdict != "rejected" and made.vehicle_id in known:
+            name = inset_name(made.values.target, made.values.side, known[made.vehicle_id].category)
+            of_inset.setdefault(name, []).append(made)
     checked = tuple(
         _inset(session, survey, name, of_inset.get(name, []), known) for name in get_args(InsetName)
     )
@@ -326,7 +326,7 @@ def _offered(estimate: Estimate, name: InsetName, in_force: Inset, sighted: Sigh
                 round(u, 2),
                 f"{note}: {mean}{' (estimate)' if estimate.spread_m is None else ''}",
             )
-    return Estimate(**{**vars(estimate), "difference_m": difference, "offer": offer, "caution": caution})
+    return replace(estimate, difference_m=difference, offer=offer, caution=caution)
 
 
 def _median(values: Sequence[float]) -> float | None:
