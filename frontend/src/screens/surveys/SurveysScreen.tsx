@@ -179,7 +179,7 @@ export function SurveyCard({ survey }: { survey: Survey }) {
           <Said what="surveys-card" values={made} parts={parts} />
         )}
       </p>
-      <div class="grid below">
+      <div class="grid card__bars">
         <Tally
           label={say("surveys-vehicles-measured")}
           done={counts.vehicles_measured}
