@@ -6202,6 +6202,7 @@ commands-compare-value-unknown = No row with a height has { $name } in { $by }; 
 
 opened-reading = Reading the package…
 opened-unreadable = This page cannot read the package that it carries. Use a browser of 2023 or later, or run sightline verify.
+opened-broken = This page stopped because of an error, so it shows no result. Run sightline verify to check the file.
 opened-made-with = Made with Sightline { $version }.
 opened-only = This package is limited. Statistics, figures and report cover only: { $only }. The survey’s other vehicles are in the tables and excluded from the results.
 opened-report = Report (PDF)

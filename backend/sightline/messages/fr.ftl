@@ -6261,6 +6261,7 @@ commands-compare-value-unknown = Aucune ligne avec une hauteur n’a { $name } d
 
 opened-reading = Lecture de l’archive…
 opened-unreadable = Cette page ne peut pas lire l’archive qu’elle porte. Utilisez un navigateur de 2023 ou plus récent, ou lancez sightline verify.
+opened-broken = Cette page s’est arrêtée à cause d’une erreur ; elle n’affiche donc aucun résultat. Lancez sightline verify pour contrôler le fichier.
 opened-made-with = Fait avec Sightline { $version }.
 opened-only = Cette archive est limitée. Statistiques, figures et rapport ne portent que sur : { $only }. Les autres véhicules du relevé figurent dans les tableaux et sont exclus des résultats.
 opened-report = Rapport (PDF)

@@ -142,9 +142,9 @@ export function TextControl(props: TextControlProps) {
     />
   );
   return unit ? (
-    <span class="input-unit">
+    <span class="row input-unit">
       {input}
-      <span>{unit}</span>
+      <span class="muted small">{unit}</span>
     </span>
   ) : (
     input

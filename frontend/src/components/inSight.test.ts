@@ -1,4 +1,4 @@
-import { afterEach, expect, it } from "vitest";
+import { afterEach, expect, it, vi } from "vitest";
 import { bringInSight } from "./inSight";
 
 const sized = (element: HTMLElement, top: number, height: number, inside: number, scrolls = true) => {
@@ -28,6 +28,18 @@ it("scrolls the row's list as far as needed, and never the page with the picture
   sized(row, 640, 30, 30, false);
   bringInSight(row);
   expect([list.scrollTop, main.scrollTop]).toEqual([70, 0]);
+});
+
+it("lets the list begin with a whole row", () => {
+  const { list, row } = page();
+  sized(list, 500, 100, 300);
+  sized(row, 640, 30, 30, false);
+  const first = document.createElement("b");
+  list.prepend(first);
+  sized(first, 480, 30, 30, false); // once the row is seen
+  vi.spyOn(document, "elementFromPoint").mockReturnValue(first);
+  bringInSight(row);
+  expect(list.scrollTop).toBe(70 + 10);
 });
 
 it("leaves the page alone where the list does not scroll", () => {

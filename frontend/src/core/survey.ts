@@ -7,6 +7,8 @@ import type { Survey } from "./types";
 
 export const survey = signal<Survey | null>(null);
 export const surveyProblem = signal<unknown>(null);
+/** How often what was changed made a page read the survey again: what follows from the survey is asked for again then. */
+export const changes = signal(0);
 let wanted = 0;
 
 /** Loads the survey, or loads it again when it is the open one already. Call it after anything that changes counts or steps. */
@@ -37,4 +39,5 @@ export async function changeSurvey(
 
 export async function refreshSurvey(): Promise<void> {
   if (survey.value) await loadSurvey(survey.value.id);
+  changes.value += 1;
 }

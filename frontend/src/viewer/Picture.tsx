@@ -101,8 +101,8 @@ export function Picture<P, V extends View<P, V>>(props: PictureProps<P, V>) {
       onDblClick={() => props.onDblClick?.()}
       onContextMenu={(event) => event.preventDefault()}
     >
-      <canvas ref={canvas} />
-      <svg class="frame-overlay" aria-hidden="true">
+      <canvas class="filling" ref={canvas} />
+      <svg class="filling frame-overlay" aria-hidden="true">
         <title>{say("viewer-layers")}</title>
         {props.children}
         {[...tools].reverse().map((tool) => tool.layers?.())}

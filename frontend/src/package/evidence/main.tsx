@@ -3,6 +3,7 @@ import "../../style/tokens.css";
 import "../package.css";
 import "./evidence.css";
 import "../theme";
+import { Guarded } from "../Guarded";
 import { say } from "../say";
 import { type Held, held } from "./document";
 import { Page } from "./Page";
@@ -19,5 +20,10 @@ function read(): Held | null {
 
 if (root) {
   const file = read();
-  render(file ? <Page file={file} /> : <p class="opened">{say("opened-evidence-unreadable")}</p>, root);
+  render(
+    <Guarded>
+      {file ? <Page file={file} /> : <p class="opened">{say("opened-evidence-unreadable")}</p>}
+    </Guarded>,
+    root,
+  );
 }

@@ -5,7 +5,7 @@ import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { canWork } from "../../core/session";
-import { survey } from "../../core/survey";
+import { changes } from "../../core/survey";
 import { useComputing } from "./computing";
 import { stale } from "./stale";
 import { causesInWords } from "./words";
@@ -19,8 +19,8 @@ interface NoticeProps {
 export function OutOfDateNotice({ surveyId, computed }: NoticeProps) {
   const where = { survey_id: surveyId };
   // whoever changes an inset, a side or a pose has the survey read again
-  const read = useAsked("GET /surveys/{survey_id}/computings", where, { keep: true, also: [survey.value] });
-  const work = useComputing(() => Promise.all([read.reload(), computed?.()]));
+  const read = useAsked("GET /surveys/{survey_id}/computings", where, { keep: true, also: [changes.value] });
+  const work = useComputing(() => computed?.());
   const answered = read.data?.out_of_date;
   useEffect(() => {
     if (answered) stale.value = { surveyId, found: answered };

@@ -167,7 +167,7 @@ const DOTS = {
 function Legend({ entries }: { entries: readonly LegendEntry[] }) {
   if (entries.length === 0) return null;
   return (
-    <ul class="stat-legend small">
+    <ul class="row row--wrap row--far small">
       {entries.map((one) => (
         <li key={one.word} class="row">
           <svg width="30" height="12" viewBox="-15 -6 30 12" aria-hidden="true">

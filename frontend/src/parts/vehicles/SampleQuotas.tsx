@@ -1,22 +1,14 @@
 /** How many vehicles of each kind are measured, of those that the survey wants. */
-import { useSignalEffect } from "@preact/signals";
-import { useRef } from "preact/hooks";
 import { Progress } from "../../components";
 import { say } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import type { Quota, SampleProgress } from "../../core/types";
 import { CLASS_SET_WORDS, LIGHTING_WORDS } from "../../core/words";
 
-/** The sample of a survey as it stands; read again whenever `of` gives another value. */
-export function useSample(surveyId: number, of: () => unknown = () => null) {
-  const found = useAsked("GET /surveys/{survey_id}/sample", { survey_id: surveyId });
-  const before = useRef<unknown>(undefined);
-  useSignalEffect(() => {
-    const now = of();
-    if (before.current !== undefined && before.current !== now) void found.reload();
-    before.current = now;
-  });
-  return found;
+/** The sample of a survey as it stands; read again whenever `of` is another. Nothing is asked before it is known. */
+export function useSample(surveyId: number, of: string | null = "") {
+  const route = of === null ? null : "GET /surveys/{survey_id}/sample";
+  return useAsked(route, { survey_id: surveyId }, { keep: true, also: [of] });
 }
 
 export function SampleQuotas({ quotas }: { quotas: SampleProgress["quotas"] }) {

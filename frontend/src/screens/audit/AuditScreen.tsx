@@ -132,7 +132,7 @@ function Filters({ surveyId }: ScreenProps) {
     onInput: (value: string | null) => setQuery({ [name]: value }),
   });
   return (
-    <div class="audit__filters">
+    <div class="grid grid--fill" style={{ "--least": "160px" }}>
       {!surveyId && (
         <OptionalField
           says="audit-survey"

@@ -75,7 +75,7 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
             <Said what="camera-no-recording" parts={linkTo(`/surveys/${surveyId}/recordings`)} />
           </p>
         ))}
-      <div class="row row--wrap calibrate__choices">
+      <div class="row row--wrap row--far">
         <Segments
           says="camera-lens"
           {...form.field("model")}
@@ -83,7 +83,7 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
         />
         <span class="muted small grow">{say(`camera-lens-${model}-hint`)}</span>
       </div>
-      <div class="row row--wrap calibrate__choices">
+      <div class="row row--wrap row--far">
         <Segments
           says="camera-board"
           {...form.field("shape")}

@@ -181,7 +181,7 @@ function Views({ calibration, camera }: { calibration: Calibration; camera: Came
     <div class="views">
       <div>
         <h3>{say("camera-residuals")}</h3>
-        <ol class="bars">
+        <ol class="below tall bars">
           {calibration.views
             .filter((view) => view.used)
             .map((view) => (

@@ -217,7 +217,7 @@ function ImageGrid({
   remove: (image: CalibrationImage) => void;
 }) {
   return (
-    <ul class="shots">
+    <ul class="grid grid--fill" style={{ "--least": "176px" }}>
       {images.map((image) => (
         <li key={image.id} class="shot">
           <div class="shot__picture" style={{ aspectRatio: `${image.width_px} / ${image.height_px}` }}>
@@ -233,7 +233,7 @@ function ImageGrid({
               />
             )}
           </div>
-          <div class="row row--apart shot__words small">
+          <div class="row row--apart small">
             <span class="clip" title={image.name}>
               {image.name}
             </span>

@@ -166,7 +166,7 @@ function sizeWords(row: CatalogueRow, size: Size) {
   return (
     <>
       {plainLength(value, 3)}
-      {u !== null && <div class="catalogue-u">{say("catalogue-u", { u: formatSmall(u) })}</div>}
+      {u !== null && <div class="muted small">{say("catalogue-u", { u: formatSmall(u) })}</div>}
     </>
   );
 }

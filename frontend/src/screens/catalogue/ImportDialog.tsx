@@ -70,7 +70,7 @@ function Preview({ plan, taken, change }: PreviewProps) {
         />
       </div>
       <Columns plan={plan} taken={taken} change={change} />
-      <p class="catalogue-counts" data-testid="catalogue-counts">
+      <p class="row row--wrap row--far" data-testid="catalogue-counts">
         {Object.entries(CHANGE_WORDS).map(([name, word]) => (
           <span key={name}>
             <strong>{formatCount(plan.counts[name as keyof typeof CHANGE_WORDS] ?? 0)}</strong> {word}

@@ -107,7 +107,7 @@ function SizeFields({ size, typed, tried, change }: SizeProps) {
     tried && text.trim() && parsed === null ? say("catalogue-number-problem") : null;
   const field = fieldsOf(typed, change);
   return (
-    <div class="catalogue-sizes">
+    <div class="grid grid--3">
       <TextField
         label={name}
         unit={lengthUnit.value}

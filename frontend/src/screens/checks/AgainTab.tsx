@@ -81,7 +81,7 @@ function Runs({ computings, shown }: { computings: readonly Computing[]; shown: 
       ) : (
         <DataTable
           label={say("computing-runs")}
-          scroll="heads-stay again-runs"
+          scroll="heads-stay tall"
           data-testid="computings"
           rows={computings}
           keyOf={(one) => one.id}

@@ -12,7 +12,7 @@ import { TARGET_NAMES } from "./words";
 export function TrafficSide({ model }: { model: TrafficModel }) {
   const preview = model.preview.value;
   return (
-    <aside class="traffic__side" aria-label={say("checks-direction")}>
+    <aside class="desk__side" aria-label={say("checks-direction")}>
       {model.reel.recordings.value.length > 1 && (
         <div class="stack stack--tight pad traffic__pose">
           <SelectField

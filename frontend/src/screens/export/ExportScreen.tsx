@@ -133,7 +133,7 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
 function Choosing({ wanted, onChange }: { wanted: Wanted; onChange(wanted: Wanted): void }) {
   return (
     <section class="panel panel__body" aria-label={say("export-of-title")}>
-      <div class="row row--wrap row--end export__of">
+      <div class="row row--wrap row--end row--far export__of">
         <OptionalField
           says="export-of-lighting"
           value={wanted.lighting}

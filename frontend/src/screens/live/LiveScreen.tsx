@@ -87,7 +87,7 @@ function Stream({ stream, surveyId }: { stream: LiveStream; surveyId: number }) 
       )}
       <Notices of={stream.health?.words} kind="warning" />
       <Health stream={stream} />
-      <div class="live__both">
+      <div class="grid grid--fit" style={{ "--least": "400px" }}>
         <Flow flow={stream.flow} />
         <Vehicles stream={stream} surveyId={surveyId} />
       </div>
@@ -179,7 +179,7 @@ function Health({ stream }: { stream: LiveStream }) {
   const { health } = stream;
   if (!health) return null;
   return (
-    <dl class="live__health" data-testid="live-health">
+    <dl class="grid grid--4 live__health" data-testid="live-health">
       <Figure name={say("live-time")} value={formatDuration(health.lines / stream.line_rate_hz)} />
       <Figure name={say("live-lines")} value={formatCount(health.lines)} />
       <Figure name={say("live-lost")} value={bothOf(health.lost_lines, formatCount)} />
@@ -222,7 +222,7 @@ function Flow({ flow }: { flow: Minutes }) {
   const top = Math.max(LEAST_TOP, ...flow.map((one) => one.vehicles));
   const whole = flow.filter((one) => one.whole).at(-1);
   return (
-    <figure class="live-flow" data-testid="live-flow">
+    <figure class="stack stack--dense" data-testid="live-flow">
       <figcaption class="row row--apart">
         <span>{say("live-flow")}</span>
         <span class="muted">

@@ -37,7 +37,7 @@ export function VehicleConflict({ model, id }: { model: MeasureModel; id: number
       </p>
       <p class="small muted">{say("measure-conflict-kept")}</p>
       {draft.disputed.map((field) => (
-        <div key={field} class="conflict__field">
+        <div key={field} class="stack stack--dense">
           <strong class="small">{FIELD_WORDS[field]}</strong>
           <Segments
             label={FIELD_WORDS[field]}
@@ -74,7 +74,7 @@ export function MeasurementConflict({ model, entry }: { model: MeasureModel; ent
   return (
     <div class="stack stack--tight conflict" role="alert" data-testid="measurement-conflict">
       <p>{say(theirs.withdrawn ? "measure-conflict-withdrawn" : "measure-conflict-measured", told)}</p>
-      <dl class="conflict__heights">
+      <dl class="facts">
         <dt>{say("measure-conflict-height-theirs")}</dt>
         <dd>{heightWords(theirs)}</dd>
         <dt>{say("measure-conflict-height-mine")}</dt>

@@ -45,7 +45,7 @@ function Known({ target, vehicle, locked, edit }: Props & { target: KnownTarget 
   const u = `u_known_${target}_m` as const;
   const source = `known_${target}_source` as const;
   return (
-    <fieldset class="known__row" aria-label={FIELD_WORDS[height]}>
+    <fieldset class="grid grid--3 grid--close grid--low" aria-label={FIELD_WORDS[height]}>
       <LengthField
         label={target === "other" ? say("measure-known-mark") : TARGET_WORDS[target]}
         metres={vehicle[height]}

@@ -113,7 +113,7 @@ function Frames({ model, entry }: { model: MeasureModel; entry: Entry }) {
     <div class="stack stack--tight frames-of" data-testid="frames-of">
       {frames.length > 1 && (
         <>
-          <ul class="frames-of__list">
+          <ul class="stack stack--dense">
             {frames.map(({ frame }, i) => (
               <li key={frame} class="row">
                 <Button

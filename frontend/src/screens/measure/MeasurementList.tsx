@@ -122,7 +122,7 @@ function Row({ model, target, entry, open, onOpen }: RowProps) {
   const selected = entry !== null && model.flow.value.selection?.key === entry.key;
   return (
     <div
-      class={`height-row${active ? " height-row--active" : ""}${selected ? " height-row--selected" : ""}`}
+      class={`height-row${active ? " current" : ""}${selected ? " height-row--selected" : ""}`}
       data-testid={`measurement-row-${target}`}
       data-state={entry?.state ?? "missing"}
     >

@@ -79,9 +79,12 @@ export function PassList({ model }: { model: MeasureModel }) {
 
 /** How far the quotas are; read again when a pass changes its state. */
 function Quotas({ model }: { model: MeasureModel }) {
-  const found = useSample(model.surveyId, () =>
-    model.vehicles.list.value.map((one) => `${one.id}${one.state}${one.category}${one.lighting}`).join(),
+  const passes = useComputed(() =>
+    model.loaded.value
+      ? model.vehicles.list.value.map((one) => `${one.id}${one.state}${one.category}${one.lighting}`).join()
+      : null,
   );
+  const found = useSample(model.surveyId, passes.value);
   const quotas = found.data?.quotas ?? [];
   return quotas.length > 0 ? (
     <div class="passes__quotas">

@@ -22,8 +22,16 @@ export function fromCatalogue(row: CatalogueRow, vehicle: Vehicle, sizes?: reado
     ...(row.category ? { category: row.category } : {}),
     ...(row.year_from !== null && row.year_from === row.year_to ? { year: row.year_from } : {}),
     ...taken(roof, [row.height_m, row.u_height_m, row.height_source || row.source], clears),
-    ...taken(taillight, [row.taillight_m, row.u_taillight_m, row.taillight_source || row.source], clears),
-    ...taken(headlight, [row.headlight_m, row.u_headlight_m, row.headlight_source || row.source], clears),
+    ...taken(
+      lamp("taillight"),
+      [row.taillight_m, row.u_taillight_m, row.taillight_source || row.source],
+      clears,
+    ),
+    ...taken(
+      lamp("headlight"),
+      [row.headlight_m, row.u_headlight_m, row.headlight_source || row.source],
+      clears,
+    ),
   };
 }
 
@@ -43,14 +51,10 @@ const roof = ([height_m, u_m, source]: Known): Changes => ({
   height_source: source,
 });
 
-const taillight = ([height_m, u_m, source]: Known): Changes => ({
-  known_taillight_m: height_m,
-  u_known_taillight_m: u_m,
-  known_taillight_source: source,
-});
-
-const headlight = ([height_m, u_m, source]: Known): Changes => ({
-  known_headlight_m: height_m,
-  u_known_headlight_m: u_m,
-  known_headlight_source: source,
-});
+const lamp =
+  (name: "taillight" | "headlight") =>
+  ([height_m, u_m, source]: Known): Changes => ({
+    [`known_${name}_m`]: height_m,
+    [`u_known_${name}_m`]: u_m,
+    [`known_${name}_source`]: source,
+  });

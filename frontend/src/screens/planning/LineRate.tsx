@@ -22,7 +22,7 @@ export function LineRate({ surveyId }: { surveyId: number }) {
   return (
     <>
       <form class="panel panel__body stack plan-form" onSubmit={(event) => event.preventDefault()}>
-        <div class="plan-form__lines">
+        <div class="grid grid--fit grid--low" style={{ "--least": "132px" }}>
           <ValueFields words={LINES} values={values} />
         </div>
       </form>

@@ -63,22 +63,17 @@ function Elevation({ plan }: { plan: Plan }) {
       <path class="site__road" d={`M${x(-0.4)} ${y(0)}H${x(frame.far)}`} />
       <path class="site__post" d={`M${x(0)} ${y(0)}V${y(site.camera_height_m)}`} />
       <path class="site__car" d={carPath(frame, site.distance_m, roof)} />
-      <rect
-        class="site__tyre"
-        x={x(site.distance_m)}
-        y={y(CAR.tyre)}
-        width={0.2 * scale}
-        height={CAR.tyre * scale}
-        rx={3}
-      />
-      <rect
-        class="site__tyre"
-        x={x(site.distance_m + CAR.width - 0.2)}
-        y={y(CAR.tyre)}
-        width={0.2 * scale}
-        height={CAR.tyre * scale}
-        rx={3}
-      />
+      {[0, CAR.width - 0.2].map((across) => (
+        <rect
+          key={across}
+          class="site__tyre"
+          x={x(site.distance_m + across)}
+          y={y(CAR.tyre)}
+          width={0.2 * scale}
+          height={CAR.tyre * scale}
+          rx={3}
+        />
+      ))}
       <path class="site__post" d={`M${x(site.board_distance_m)} ${y(0)}V${y(low)}`} />
       <path
         class="site__board"

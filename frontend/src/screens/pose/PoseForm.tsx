@@ -197,7 +197,7 @@ function SurenessQuestions({ model }: { model: PoseModel }) {
   return (
     <details>
       <summary>{say("pose-sure")}</summary>
-      <div class="grid grid--close pose-form__two">
+      <div class="grid grid--close below">
         <TextField
           says="pose-u-tape"
           unit={unit}

@@ -106,7 +106,7 @@ export function RecordingCard({ recording, passes, cameras, changed, reload }: P
           <DriftVerdict recordingId={recording.id} poseId={recording.pose_id} />
         )}
         {recording.state !== "failed" && (
-          <footer class="recording__foot">
+          <footer class="row row--wrap row--end row--far recording__foot">
             <CameraPick
               recording={recording}
               cameras={cameras}

@@ -40,7 +40,7 @@ export default function ClickAgainScreen({ surveyId }: ScreenProps) {
   return (
     <div class="desk again">
       <h1 class="visually-hidden">{say("page-click-again")}</h1>
-      <header class="row again__head">
+      <header class="row desk__head">
         <p data-testid="again-progress">
           {item ? (
             <Said

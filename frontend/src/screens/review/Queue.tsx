@@ -87,7 +87,7 @@ function LotLine({ model }: { model: ReviewModel }) {
     return (
       <>
         {model.queue.lotJudged.value && (
-          <div class="review__judged">
+          <div class="stack stack--dense below review__judged">
             <p class="small" data-testid="review-lot-judged">
               {say("lots-sample-done")}
             </p>

@@ -66,7 +66,7 @@ function Head({ model, scan, surveyId }: { model: ScanModel; scan: Scan; surveyI
   const [open, setOpen] = useState<"find" | "rig" | null>(null);
   const job = model.search.job.value;
   return (
-    <header class="scan__head">
+    <header class="row row--wrap desk__head">
       <h1 class="scan__title clip">{scan.name}</h1>
       {job ? (
         <div class="scan__job">

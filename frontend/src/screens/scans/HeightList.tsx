@@ -79,7 +79,7 @@ function Row({ model, target }: { model: ScanModel; target: Target }) {
   }, [active]);
   const live = heights.live.value?.target === target ? heights.live.value : null;
   return (
-    <li ref={place} class={active ? "line-heights__row line-heights__row--active" : "line-heights__row"}>
+    <li ref={place} class={active ? "line-heights__row current" : "line-heights__row"}>
       <div class="height-row line-heights__line">
         <TargetButton
           target={target}
@@ -114,7 +114,7 @@ function Row({ model, target }: { model: ScanModel; target: Target }) {
 /** The verdict on it, and the way to the review, where a second person gives it. */
 function Standing({ one: { id, review, mine } }: { one: LineHeight }) {
   return (
-    <div class="line-heights__verdict small">
+    <div class="row row--wrap line-heights__verdict small">
       <StateMark state={review.verdict} />
       {id > 0 && !mine && may("reviewer") && (
         <a href={`/surveys/${survey.value?.id}/review?measurement=${id}`}>{say("page-review")}</a>

@@ -32,7 +32,7 @@ export function MatchPictures({ detail }: { detail: ScanVehicleDetail }) {
           <img key={one} src={urls[one]} hidden={one !== picture} alt={ALTS[one]} />
         ))}
       </div>
-      <p class="scan__note small muted">{say("scan-match-note")}</p>
+      <p class="panel__note small muted">{say("scan-match-note")}</p>
     </Panel>
   );
 }

@@ -58,7 +58,7 @@ function Reference({ one, edit, remove }: { one: ScanReference; edit: () => void
   const named = { quantity: QUANTITY_WORDS[one.quantity], source: SOURCE_WORDS[one.source] };
   const outside = one.agreement !== null && !one.agreement.within;
   return (
-    <div class="scan__reference" data-testid="scan-reference">
+    <div class="row row--wrap row--apart" data-testid="scan-reference">
       <div>
         <p>
           {say("scan-reference-says", { ...named, value: referenceValue(one) })}{" "}

@@ -90,7 +90,7 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
                 </Notice>
               ),
           )}
-          <div class="scan-figures">
+          <div class="grid grid--fit scan-figures" style={{ "--least": "420px" }}>
             {data.spreads.map((spread) => (
               <SpreadFigure key={spread.quantity} spread={spread} />
             ))}

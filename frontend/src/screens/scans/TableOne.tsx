@@ -9,11 +9,11 @@ import { SOURCE_WORDS } from "./referenceWords";
 export function TableOne({ found }: { found: ScanStatistics }) {
   return (
     <Panel says="motion-paper-title">
-      <div class="scan-tables">
+      <div class="grid grid--fit scan-tables" style={{ "--least": "600px" }}>
         <Own found={found} />
         <Printed found={found} />
       </div>
-      <p class="small muted scan__note">{say("paper-sizes")}</p>
+      <p class="panel__note small muted">{say("paper-sizes")}</p>
     </Panel>
   );
 }

@@ -92,7 +92,7 @@ function OfScan({ scan, of, surveyId }: { scan: ScanTraffic; of: TrafficOfScans;
   const day = scan.intervals[0] ? formatPlaceDay(scan.intervals[0].begins_at) : "";
   return (
     <>
-      <div class="scan-figures">
+      <div class="grid grid--fit scan-figures" style={{ "--least": "420px" }}>
         <FlowFigure scan={scan} minutes={of.minutes} />
         <SpeedFigure scan={scan} />
         <FundamentalFigure scan={scan} against="density" />
@@ -116,7 +116,7 @@ function OfScan({ scan, of, surveyId }: { scan: ScanTraffic; of: TrafficOfScans;
           <Notice kind="warning">{say("flows-unplaced", { count: scan.unplaced })}</Notice>
         )}
         <IntervalTable scan={scan} view={view} limits_m={of.length_limits_m} />
-        <p class="small muted scan__note">{say("flows-table-note")}</p>
+        <p class="panel__note small muted">{say("flows-table-note")}</p>
       </Panel>
     </>
   );

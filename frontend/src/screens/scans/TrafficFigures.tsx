@@ -81,7 +81,7 @@ export function FlowFigure({ scan, minutes }: { scan: ScanTraffic; minutes: numb
         x: dayAxis(scan),
         y: { label: say("with-unit", { name: say("flows-flow"), unit: say("unit-per-hour") }), zero: true },
         marks: [
-          plot.ruleY([0], { stroke: "var(--line-2)" }),
+          plot.ruleY([0], { stroke: "var(--line-strong)" }),
           plot.ruleX(scan.intervals, {
             x: middle,
             y1: "flow_low",

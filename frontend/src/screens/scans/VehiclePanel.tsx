@@ -48,7 +48,7 @@ export function VehiclePanel({ model }: { model: ScanModel }) {
   const detail = model.detail.value;
   if (!vehicle) {
     return (
-      <aside class="desk__side scan__side scan__side--empty" aria-label={say("scan-vehicle")}>
+      <aside class="desk__side scan__side pad" aria-label={say("scan-vehicle")}>
         <p class="muted">{say("scan-vehicle-none", { key: hint("passNext") })}</p>
       </aside>
     );
@@ -394,7 +394,7 @@ function History({ detail }: { detail: ScanVehicleDetail }) {
   return (
     <details open={detail.history.length > 1}>
       <summary>{say("scan-history", { count: detail.history.length })}</summary>
-      <ul class="stack stack--tight scan__history small">
+      <ul class="stack stack--tight below small">
         {[...detail.history].reverse().map((one) => (
           <li key={one.id}>
             <Said

@@ -98,7 +98,7 @@ function SurveyRule() {
   return (
     <fieldset>
       <legend>{say("sight-form-survey")}</legend>
-      <Plain name="eye_percent" label={say("sight-eye-percent")} usual="10" unit="%" above={0} below={100} />
+      <Percent name="eye_percent" label={say("sight-eye-percent")} usual="10" />
       <SelectField
         says="sight-object-target"
         value={at.get("object_target") ?? usualObject(kind)}
@@ -108,14 +108,7 @@ function SurveyRule() {
         ]}
         onInput={(value) => setQuery({ object_target: value })}
       />
-      <Plain
-        name="object_percent"
-        label={say("sight-object-percent")}
-        usual="5"
-        unit="%"
-        above={0}
-        below={100}
-      />
+      <Percent name="object_percent" label={say("sight-object-percent")} usual="5" />
       <OptionalField
         says="statistics-filter-state"
         value={at.get("state")}
@@ -160,14 +153,7 @@ function Road() {
         check={(text) => numberProblem(text, 0, 400)}
         onCommit={(text) => setQuery({ speed_mps: (parseNumber(text) ?? 0) / perSecond })}
       />
-      <Plain
-        name="difference_percent"
-        label={say("sight-difference")}
-        usual="6"
-        unit="%"
-        above={0}
-        below={100.001}
-      />
+      <Percent name="difference_percent" label={say("sight-difference")} usual="6" below={100.001} />
       <Length name="headlight_m" label={say("sight-headlight")} usual={0.6} />
       <Length name="radius_m" label={say("sight-radius")} usual={500} most={100_000} />
     </fieldset>
@@ -243,22 +229,20 @@ function Length({ name, label, usual, most = 10, change }: LengthProps) {
   );
 }
 
-interface PlainProps {
+interface PercentProps {
   name: "eye_percent" | "object_percent" | "difference_percent";
   label: string;
   usual: string;
-  unit: string;
-  above: number;
-  below: number;
+  below?: number;
 }
 
-function Plain({ name, label, usual, unit, above, below }: PlainProps) {
+function Percent({ name, label, usual, below = 100 }: PercentProps) {
   return (
     <CommitField
       label={label}
-      unit={unit}
+      unit="%"
       value={query.value.get(name) ?? usual}
-      check={(text) => numberProblem(text, above, below)}
+      check={(text) => numberProblem(text, 0, below)}
       onCommit={(text) => setQuery({ [name]: parseNumber(text) })}
     />
   );

@@ -161,9 +161,9 @@ function Cell({ of, print, strong }: { of: Bounded; print: (metres: number) => s
     <td class="num" title={sentenceOf(of.reason) ?? undefined}>
       {strong ? <strong>{value}</strong> : value}
       {of.low !== null && of.high !== null && (
-        <div class="sight-ci">{say("sight-interval", { low: print(of.low), high: print(of.high) })}</div>
+        <div class="stat-ci">{say("sight-interval", { low: print(of.low), high: print(of.high) })}</div>
       )}
-      {of.reason && <div class="sight-ci">{say("sight-no-interval")}</div>}
+      {of.reason && <div class="stat-ci">{say("sight-no-interval")}</div>}
     </td>
   );
 }

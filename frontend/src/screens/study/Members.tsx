@@ -28,7 +28,7 @@ export function Members({ studyId }: { studyId: number }) {
           disabled={!may("operator")}
           onInput={(on) => void change(openToAll(on))}
         />
-        <ul class="study-members">
+        <ul class="row row--wrap row--far">
           {members.map((one) => (
             <li key={one.id} class="row row--near">
               {one.name}

@@ -21,7 +21,7 @@ export function Photographs({ surveyId }: { surveyId: number }) {
       <h2 id="photographs-title">{say("photographs-title")}</h2>
       <p class="muted">{say("photographs-help")}</p>
       {read.data.length > 0 && (
-        <ol class="photographs__list">
+        <ol class="grid grid--fill" style={{ "--least": "240px" }}>
           {read.data.map((one, place, all) => (
             <Card
               key={one.id}

@@ -10,7 +10,7 @@ import { NONE } from "../../parts/figures/numbers";
 import { SampleQuotas, useSample } from "../../parts/vehicles/SampleQuotas";
 
 export function SampleSection({ survey, edit }: { survey: Survey; edit(): void }) {
-  const found = useSample(survey.id, () => null);
+  const found = useSample(survey.id);
   const rows = (found.data?.response ?? []).filter(isShown);
   return (
     <Panel

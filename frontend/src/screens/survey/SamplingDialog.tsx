@@ -74,7 +74,7 @@ export function SamplingDialog({ survey, close }: { survey: Survey; close: () =>
       <fieldset class="survey-fields">
         <legend>{say("sample-quotas")}</legend>
         <p class="field__hint">{say("sample-quotas-help")}</p>
-        <div class="quota-grid">
+        <div class="grid grid--fit grid--low" style={{ "--least": "208px" }}>
           {KINDS.map((kind) => (
             <TextField
               key={keyOf(kind)}

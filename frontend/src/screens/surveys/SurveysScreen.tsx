@@ -94,7 +94,7 @@ function ChoosePassword() {
 
 function Cards({ demoJob, surveys }: { demoJob: Job | null; surveys: readonly Survey[] }) {
   return (
-    <ul class="cards">
+    <ul class="grid grid--fill" style={{ "--least": "400px" }}>
       {demoJob && (
         <li>
           <DemoCard job={demoJob} />
@@ -179,7 +179,7 @@ export function SurveyCard({ survey }: { survey: Survey }) {
           <Said what="surveys-card" values={made} parts={parts} />
         )}
       </p>
-      <div class="card__bars">
+      <div class="grid card__bars">
         <Tally
           label={say("surveys-vehicles-measured")}
           done={counts.vehicles_measured}

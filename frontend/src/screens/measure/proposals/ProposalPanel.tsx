@@ -27,7 +27,7 @@ export function ProposalPanel({ model }: { model: MeasureModel }) {
     >
       {shown && (
         <>
-          <div class="proposed__points">
+          <div class="grid grid--3 grid--close">
             {proposals.inHand().map((one) => (
               <Card key={one.role} model={model} one={one} />
             ))}
