@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -20,7 +21,7 @@ from sightline.media.strips import spool
 from sightline.media.strips.reader import open_strip
 from sightline.media.strips.sheet import Pixels
 from sightline.messages.said import Said
-from sightline.scans.live.journal import interrupted_segment, unmoved_segments
+from sightline.scans.live.journal import Journal, interrupted_segment, unmoved_segments
 from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle, SegmentFacts
 from sightline.scans.live.run import Clock, LiveRun
 from sightline.traffic.archive import SHARED_S
@@ -291,23 +292,32 @@ def test_segments_begin_where_the_road_is_empty_and_lose_nothing(
         assert one.vehicle.motion.speed_mps == pytest.approx(same.vehicle.motion.speed_mps, rel=2e-3)
 
 
+@pytest.mark.parametrize("file", ["0002-camera-1.tif", "0002-camera-2.tif", "0002.jsonl"])
 def test_a_disk_that_is_full_where_a_segment_begins_ends_the_keeping_only(
-    twice: tuple[Pixels, Pixels], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    twice: tuple[Pixels, Pixels],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    recwarn: pytest.WarningsRecorder,
+    file: str,
 ) -> None:
+    """The files of that segment that could be made are closed, and none of them is left."""
     whole, _ = run_of(Played(twice), segment_s=1.5)
-    truncate = spool.Spool._put_words
+    put_words, write = spool.Spool._put_words, Journal.write
 
-    def full(made: spool.Spool) -> None:
-        if made.path.name.startswith("0002"):
+    def full(path: Path) -> None:
+        if path.name == file:
             raise OSError(28, "No space left on device")
-        truncate(made)
 
-    monkeypatch.setattr(spool.Spool, "_put_words", full)
+    monkeypatch.setattr(spool.Spool, "_put_words", lambda made: [full(made.path), put_words(made)])
+    monkeypatch.setattr(Journal, "write", lambda made, said: [full(Path(made._file.name)), write(made, said)])
     told, said = run_of(Played(twice), tmp_path, segment_s=1.5)
     in_turn = [(one.segment, one.vehicle.number, one.vehicle.motion.speed_mps) for one in told]
     assert in_turn == [(one.segment, one.vehicle.number, one.vehicle.motion.speed_mps) for one in whole]
     assert told[-1].segment >= 2
     assert len([one for one in said if "No space left" in one]) == 1
+    gc.collect()
+    assert [one for one in recwarn if one.category is ResourceWarning] == []
+    assert list(tmp_path.glob("0002*")) == []
 
 
 @pytest.mark.parametrize("killed_again", [False, True])
