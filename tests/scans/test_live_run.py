@@ -540,6 +540,29 @@ def test_a_file_is_compared_with_the_kept_lines_though_older_ones_come_first(
     assert any(segment > 2 for segment, _ in told) != replaced
 
 
+@pytest.mark.parametrize("written", ["over its beginning", "anew and longer", "anew and as long"])
+def test_a_followed_file_that_is_written_over_ends_the_stream_and_is_said(
+    pair: tuple[Pixels, Pixels], tmp_path: Path, written: str
+) -> None:
+    """The same file: what was read of it is others' lines now, and what follows does not go on from it."""
+    lines = np.stack([np.asarray(one, np.uint8) for one in pair], axis=1)
+    path, ending = tmp_path / "lines.raw", Ending()
+    path.write_bytes(lines[:2000].tobytes())
+    source = FollowedLines(path, SITE.rows, ending, idle_s=0.1)
+    pieces = source.pieces()
+    first = next(pieces)
+    assert first is not None and len(first.first) == 2000
+    others = lines[::-1].tobytes()
+    if written == "over its beginning":
+        with path.open("r+b") as file:
+            file.write(others[: 500 * lines[0].size])
+    else:
+        path.write_bytes(others[: (3000 if written == "anew and longer" else 2000) * lines[0].size])
+    assert [one for one in pieces if one is not None] == []
+    assert source.broken and "written over" in source.notes[0]
+    ending.close()
+
+
 def test_strips_that_were_not_moved_when_a_stream_was_killed_are_moved_by_the_next(
     two: tuple[Pixels, Pixels], tmp_path: Path
 ) -> None:
