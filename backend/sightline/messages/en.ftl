@@ -6931,7 +6931,6 @@ scan-wheelbase-at-rest = By its fitted motion the vehicle was at rest at one of 
 scan-run-none-found = No vehicle was found; check the strips, and that time runs along the chosen axis.
 scan-run-swapped = { NUMBER($reversed) } of { NUMBER($found) } vehicles reached the second strip first; if traffic does not run that way here, the strips are swapped.
 scan-run-alone = { $alone } objects passed only one camera: check that both show the same lane, and check baseline and line rate.
-scan-run-stood-in-front = A vehicle stopped in front of another that stood; it may be missing, and so may vehicles that passed meanwhile.
 scan-run-light-changed = The brightness changed suddenly { $count ->
     [one] once
    *[other] { $count } times
