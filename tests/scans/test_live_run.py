@@ -25,7 +25,7 @@ from sightline.scans.live.journal import Journal, interrupted_segment, unmoved_s
 from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle, SegmentFacts
 from sightline.scans.live.run import Clock, LiveRun
 from sightline.traffic.archive import SHARED_S
-from tests.linescan.scenes import SLOW_RIG, standing
+from tests.linescan.scenes import SLOW_RIG, at, cars, standing
 from tests.simulation.scan_strips import strips
 from tests.simulation.scan_traffic import ScanSite, traffic
 
@@ -538,6 +538,27 @@ def test_a_file_is_compared_with_the_kept_lines_though_older_ones_come_first(
     assert resumed.broken == replaced
     assert any("was replaced by another file" in str(one) for one in said) == replaced
     assert any(segment > 2 for segment, _ in told) != replaced
+
+
+@pytest.mark.parametrize("against", [True, False])
+def test_vehicles_nearer_together_than_the_baseline_are_each_told_once_after_a_kill(
+    tmp_path: Path, against: bool
+) -> None:
+    """The second was before the one camera while the first, which was told, was still before the other."""
+    first = at(cars()[1], 0.8, 6.0, against=against)
+    second = at(cars()[0], first.time_s(first.length_m + 0.3), 6.0, against=against)
+    pair = strips(SITE, (first, second))
+    clean, _ = run_of(Played(pair))
+    killed = live_run(lambda _: Played(pair), tmp_path, clock=stopped_at(1e9))
+    killed.told(next(killed.vehicles()))
+    kill(killed)
+    resumed = live_run(lambda begin: Played(tuple(one[begin:] for one in pair)), tmp_path, can_go_back=True)
+    (told,) = resumed.vehicles()
+    assert (told.segment, told.vehicle.number) == (2, 2)
+    front = told.begin + told.vehicle.motion.crossings.front_line_1
+    assert front == pytest.approx(clean[1].vehicle.motion.crossings.front_line_1, abs=0.5)
+    assert told.vehicle.motion.speed_mps == pytest.approx(6.0, abs=0.05)
+    assert told.vehicle.gap.time_gap_s == pytest.approx(clean[1].vehicle.gap.time_gap_s, abs=1e-3)
 
 
 @pytest.mark.parametrize("written", ["over its beginning", "anew and longer", "anew and as long"])
