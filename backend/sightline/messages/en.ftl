@@ -6966,7 +6966,7 @@ rig-baseline-off = { $count } { $of ->
 rig-baseline-agrees = { $count } { $of ->
     [length] lengths
    *[wheelbase] wheelbases
- } of known vehicles agree with the entered baseline (U95 = { NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %).
+ } of known vehicles measure { NUMBER($off_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % off what they are on average, within what the entered baseline allows (U95 = { NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %).
 scan-flow-no-speed = No vehicle here has an accepted speed.
 scan-flow-rear-unseen = The occupancy is not known: the rear of a vehicle that stood here was not seen.
 scan-flow-no-u-occupancy = The uncertainty of the occupancy is not known: { $count } of the vehicles here have no motion.

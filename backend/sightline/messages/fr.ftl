@@ -7027,7 +7027,7 @@ rig-baseline-off = D’après { $count } { $of ->
 rig-baseline-agrees = { $count } { $of ->
     [length] longueurs
    *[wheelbase] empattements
- } de véhicules connus concordent avec la base saisie (U95 = { NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %).
+ } de véhicules connus s’écartent en moyenne de { NUMBER($off_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % de leur valeur, ce que permet la base saisie (U95 = { NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %).
 scan-flow-no-speed = Aucun véhicule n’a ici de vitesse validée.
 scan-flow-rear-unseen = Le taux d’occupation n’est pas connu : l’arrière d’un véhicule arrêté ici n’a pas été vu.
 scan-flow-no-u-occupancy = L’incertitude du taux d’occupation n’est pas connue : { $count } des véhicules n’ont pas de mouvement.
