@@ -2,7 +2,7 @@
 
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import click
 
@@ -15,9 +15,8 @@ from sightline.settings import sqlite_url
 
 DATABASE = "sightline.db"
 BACKUP = "manifest.json"
-_Status = Literal["holds", "unanchored", "broken"]
 #: From the best to the worst.
-_EXIT: dict[_Status, int] = {"holds": 0, "unanchored": 3, "broken": 1}
+_EXIT: dict[str, int] = {"holds": 0, "unanchored": 3, "broken": 1}
 
 
 @click.command()
@@ -57,7 +56,7 @@ def verify(
     """
     anchors = Anchors(key, heads, [read_json(one, "a checkpoint") for one in checkpoints])
     found = [_checked(place, anchors) for place in places]
-    status: _Status = max((one["status"] for one in found), key=list(_EXIT).index)
+    status = max((one["status"] for one in found), key=list(_EXIT).index)
     problems = [problem for one in found for problem in one["problems"]]
     broken = [place for place, one in zip(places, found, strict=True) if one["problems"]] or places
     if anchors.unheld and status != "broken":
@@ -79,7 +78,7 @@ def _checked(place: str, anchors: Anchors) -> dict[str, Any]:
     checked = check(place, anchors)
     ok, problem = checked.pop("ok"), checked.pop("problem")
     not_checked = checked.pop("not_checked", [])
-    status: _Status = "broken" if not ok else "unanchored" if not_checked and not anchors else "holds"
+    status = "broken" if not ok else "unanchored" if not_checked and not anchors else "holds"
     return {
         "status": status,
         "problems": [] if ok else [str(problem)],

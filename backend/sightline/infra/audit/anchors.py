@@ -36,24 +36,19 @@ class Anchors:
     def __bool__(self) -> bool:
         return self.key is not None or bool(self._heads or self._ends)
 
-    def hold(self, chains: Mapping[str, Sequence[str]], keys: Sequence[str], *, whole: bool) -> list[str]:
-        """Notes on what is vouched for until where. `chains`: the hashes by name, that of none first; `keys`:
-        those that signed; `whole`: all chains of the installation are here. Raises Damaged.
+    def hold(self, chains: Mapping[str, Sequence[str]], keys: Sequence[str], *, whole: bool) -> list[int]:
+        """The events with the heads given, but for the last ones. `chains`: the hashes by name, that of none
+        first; `keys`: those that signed; `whole`: all chains of the installation are here. Raises Damaged.
         """
         if self.key is not None and not any(one.startswith(self.key) for one in keys):
             raise Damaged("export-checkpoint-other-key", key="".join(keys[-1:])[:LEAST_SIGNS])
-        notes = []
+        continued = list[int]()
         found = {head: _events_with(head, chains) for head in self._heads}
         if found and not any(found.values()):
             raise Damaged("export-head-differs", head=self._heads[0][:LEAST_SIGNS])
         for head, numbers in found.items():
             self.unheld -= {head} if numbers else set()
-            notes += [
-                f"The chain continues event {number}, whose head was given; that vouches for the events until"
-                " then, not for later ones."
-                for number, last in numbers
-                if not last
-            ]
+            continued += [number for number, last in numbers if not last]
         told = {at: ends for at, ends in self._ends.items() if whole or set(ends) & set(chains)}
         if self._ends and not told:
             raise Damaged("audit-checkpoint-elsewhere")
@@ -64,7 +59,7 @@ class Anchors:
             ):
                 raise Damaged("audit-chains-not-signed", at=at)
             self.unheld.discard(at)
-        return notes
+        return continued
 
 
 def _events_with(head: str, chains: Mapping[str, Sequence[str]]) -> list[tuple[int, bool]]:

@@ -55,7 +55,7 @@ class FollowedLines:
                     )
                     return
                 whole = min(_PIECE_BYTES, there - self._at) // pair * pair
-                data = self._read(self._at, whole)
+                data = self._read_bytes(self._at, whole)
                 if self._written_over():
                     self._break(
                         f"{self.name} was written over with other lines while it was read; none of them is "
@@ -64,7 +64,7 @@ class FollowedLines:
                     return
                 if whole:
                     self._at += whole
-                    self._known = {0: self._read(0, pair), self._at - pair: data[-pair:]}
+                    self._known = {0: self._read_bytes(0, pair), self._at - pair: data[-pair:]}
                     grown = quiet = time.monotonic()
                     yield pairs_of(data, self._rows)
                     continue
@@ -83,12 +83,12 @@ class FollowedLines:
     def _size(self) -> int:
         return 0 if self._file.closed else self._file.seek(0, 2)
 
-    def _read(self, at: int, count: int) -> bytes:
+    def _read_bytes(self, at: int, count: int) -> bytes:
         """As the file is now, past what Python holds of it."""
         return os.pread(self._file.fileno(), count, at)
 
     def _written_over(self) -> bool:
-        return any(self._read(at, len(pair)) != pair for at, pair in self._known.items())
+        return any(self._read_bytes(at, len(pair)) != pair for at, pair in self._known.items())
 
     def _replaced(self) -> bool:
         try:
