@@ -25,7 +25,7 @@ def test_the_board_that_is_typed_comes_as_pdf_at_true_size(viewer: Client) -> No
     assert answer.headers["Content-Type"] == "application/pdf"
     assert sheet_mm(answer.content) == (297.0, 210.0)
     text = words(answer.content).replace("\n", " ")
-    assert "9 × 6 inner corners, squares of 25 mm" in text and "200 mm long" in text
+    assert "9 × 6 inner corners, squares of 25 mm" in text and "100 mm long" in text
     assert answer.content == viewer.get(f"/boards.pdf?{ASKED}").content
     larger = viewer.get(f"/boards.pdf?{ASKED}&paper=A1")
     assert sheet_mm(larger.content) == (594.0, 841.0)

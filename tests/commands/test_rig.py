@@ -10,7 +10,16 @@ import pytest
 
 from sightline.cli import main
 from sightline.scans.rig.passes_csv import COLUMNS
-from tests.linescan.test_rig_calibration import STANDS_M, Errors, Planes, by_board, by_positions, planes
+from tests.linescan.test_rig_calibration import (
+    RATE_HZ,
+    STANDS_M,
+    Errors,
+    Planes,
+    by_board,
+    by_positions,
+    by_speed,
+    planes,
+)
 
 HEADER = ",".join(COLUMNS)
 
@@ -62,6 +71,23 @@ def test_the_text_says_it_in_lines(table: Path, capsys: pytest.CaptureFixture[st
     assert "at 40.00 m: baseline " in said
     assert "line 9 has 2 cells" in said
     assert "note: 40.00 m is far outside the passes" in said
+
+
+def test_a_line_rate_whose_u_is_not_given_is_noted(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Only where passes of known speed need it."""
+    note, path = "uncertainty of the line rate is not included", tmp_path / "passes.csv"
+    for way, noted in ((by_speed, True), (by_board, False)):
+        rows = [row(f"n{k}", told, way, planes()) for k, told in enumerate(STANDS_M)]
+        path.write_text("\n".join([HEADER, *rows]) + "\n")
+        asked = ["rig", "calibrate", str(path), "--line-rate", str(RATE_HZ)]
+        assert main([*asked, "--json"]) == 0
+        assert any(note in one for one in json.loads(capsys.readouterr().out)["warnings"]) == noted
+        assert main(asked) == 0
+        assert (note in capsys.readouterr().out) == noted
+        assert main([*asked, "--u-line-rate", "1e-5"]) == 0
+        assert note not in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(

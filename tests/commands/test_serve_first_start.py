@@ -112,7 +112,7 @@ def test_a_first_start_a_second_and_what_is_left_behind(
     assert second.stop(signal.SIGTERM) == 0
     status, out, err = said("verify", str(tmp_path / "data"), "--json")
     assert status == 0, err
-    assert json.loads(out)["kind"] == "database" and json.loads(out)["checked"] >= 3
+    assert json.loads(out)["kind"] == "database" and json.loads(out)["count"] >= 3
 
 
 def test_settings_that_cannot_be_used_are_named(tmp_path: Path, said: Said) -> None:

@@ -7,6 +7,7 @@ forger, some tests say: it takes the chain's head, kept elsewhere.
 
 import json
 import math
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 from random import Random
@@ -17,6 +18,7 @@ import pytest
 
 from sightline.cli import main
 from sightline.export.verify.package import PackageCheck, verify_package
+from sightline.infra.audit.anchors import Anchors
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.csv_package.schema import json_bytes, sha256_hex
 from sightline.infra.services import Services
@@ -42,8 +44,8 @@ from tests.support.packages import (
 __all__ = ["ground", "package", "worked"]
 
 
-def check(place: Path, head: str | None = None, key: str | None = None) -> PackageCheck:
-    return verify_package(FolderFiles(place), head, key)
+def check(place: Path, *heads: str, key: str | None = None) -> PackageCheck:
+    return verify_package(FolderFiles(place), Anchors(key, heads))
 
 
 @pytest.mark.once
@@ -94,7 +96,7 @@ def test_the_package_itself_passes_and_a_forged_one_ends_the_command_with_one_se
     edit(package, "measurements.csv", roof, height_m="1.210000")
     assert main(["verify", str(package), "--json"]) == 1
     printed = capsys.readouterr()
-    assert json.loads(printed.out)["ok"] is False
+    assert json.loads(printed.out)["status"] == "broken"
     assert "measurements.csv was changed" in printed.err and "\n" not in printed.err.strip()
 
 
@@ -132,7 +134,7 @@ def test_a_chain_written_anew_takes_the_head_that_was_kept_elsewhere(package: Pa
     a_makers_height(package, drawings=True)
     assert check(package).ok
     found = check(package, kept[:16])
-    assert not found.ok and "not with the given audit head" in str(found.problem)
+    assert not found.ok and "goes through the given audit head" in str(found.problem)
 
 
 @pytest.mark.once
@@ -150,7 +152,7 @@ def test_a_crop_repainted_with_its_hash_takes_the_head(package: Path) -> None:
     assert "is not what the package’s seal" in str(check(package).problem)
     reseal(package)
     assert check(package).ok
-    assert "not with the given audit head" in str(check(package, kept).problem)
+    assert "goes through the given audit head" in str(check(package, kept).problem)
 
 
 @pytest.mark.once
@@ -163,7 +165,7 @@ def test_a_name_takes_the_head(package: Path) -> None:
     assert str(check(package).problem).startswith("tables/people.csv is not what the package’s seal")
     reseal(package)
     assert check(package).ok
-    assert "not with the given audit head" in str(check(package, kept).problem)
+    assert "goes through the given audit head" in str(check(package, kept).problem)
 
 
 @pytest.mark.once
@@ -171,7 +173,30 @@ def test_the_head_of_the_report_vouches_for_the_rows_and_says_so(package: Path) 
     events = rows(package, "audit.csv")
     last = events[-2]["hash"]
     found = check(package, last)
-    assert found.ok and "not for the seal" in " ".join(found.notes)
+    assert found.ok and f"continues event {len(events) - 1}," in " ".join(found.notes)
+
+
+@pytest.mark.once
+def test_anchors_hold_in_some_place_and_in_every_place_some(
+    package: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Of a survey's package, a copy, and a copy that somebody rewrote and signed."""
+    first, last = (rows(package, "audit.csv")[at]["hash"] for at in (0, -1))
+    kept = shutil.copyfile(package / "checkpoint.json", tmp_path / "kept.json")
+    again, forged = (shutil.copytree(package, tmp_path / name) for name in ("again", "forged"))
+    edit(forged, "crops.csv", lambda row: row["file"] != "", reason="x")
+    reseal(forged)
+    both = ["verify", str(package), str(again), "--head", first, "--head", last, "--checkpoint", str(kept)]
+    assert main([*both, "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert (told["status"], told["problems"], len(told["places"])) == ("holds", [], 2)
+    assert main(["verify", str(package), "--head", first, "--head", "0" * 64]) == 1
+    assert "0" * 64 in capsys.readouterr().err
+    assert main(["verify", str(package), str(forged)]) == 1
+    for given in (["--head", last], ["--checkpoint", str(kept)]):
+        assert main(["verify", str(package), str(forged), *given]) == 1
+        said = capsys.readouterr()
+        assert said.err.startswith(f"{forged}: ") and str(package) in said.out
 
 
 @pytest.mark.once

@@ -16,6 +16,7 @@ import pytest
 from sightline.cli import main
 from sightline.errors import NoRoom, SightlineError, Stopped
 from sightline.export.verify.package import verify_package
+from sightline.infra.audit.anchors import Anchors
 from sightline.infra.csv_package.files import FolderFiles, Staging
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.store import get_job
@@ -72,7 +73,7 @@ def test_the_button_makes_a_package_that_holds_everything_and_the_same_state_the
     assert [row["frame"] for row in rows(tmp_path / "export", "wheel_pairs.csv")] == ["2"]
     everything = b"".join(path.read_bytes() for path in (tmp_path / "export").rglob("*") if path.is_file())
     assert b"operator@example.org" not in everything
-    found = verify_package(FolderFiles(tmp_path / "export"), head=made[0]["audit_head"])
+    found = verify_package(FolderFiles(tmp_path / "export"), Anchors(heads=[made[0]["audit_head"]]))
     assert (found.ok, found.heights, found.crops) == (True, 9, 4), found.problem
     assert list(services.scratch.iterdir()) == []
     # the same state, which the export itself has moved on by its own events, gives the same bytes

@@ -19,6 +19,7 @@ from sightline.export.seal import check_sealed
 from sightline.export.verify import derived, described
 from sightline.export.verify.package import PackageCheck, verify_package
 from sightline.infra import source_hash
+from sightline.infra.audit.anchors import Anchors
 from sightline.infra.audit.hashing import canonical_json, content_hash
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.csv_package.schema import Column, Table, json_bytes
@@ -52,8 +53,8 @@ ONE_RELEASED = pytest.mark.parametrize(
 )
 
 
-def check(place: Path, head: str | None = None) -> PackageCheck:
-    return verify_package(FolderFiles(place), head)
+def check(place: Path, *heads: str) -> PackageCheck:
+    return verify_package(FolderFiles(place), Anchors(heads=heads))
 
 
 @pytest.fixture(params=RELEASED, ids=lambda place: place.name.removesuffix(".tar.xz"))
@@ -93,8 +94,12 @@ def test_a_package_of_an_earlier_version_verifies(released: Path, capsys: pytest
     version = json.loads((released / "datapackage.json").read_text())["made_with"]["sightline"]
     assert f"Made by version {version}" in " ".join(found.notes)
     assert ("drawings" in found.not_checked) == (found.drawings == 0)
-    assert main(["verify", str(released), "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["not_checked"] == found.not_checked
+    assert main(["verify", str(released), "--json"]) == (3 if found.not_checked else 0)
+    told = json.loads(capsys.readouterr().out)
+    assert (told["not_checked"], told["problems"]) == (found.not_checked, [])
+    assert told["status"] == ("unanchored" if found.not_checked else "holds")
+    assert main(["verify", str(released), "--head", found.head_hash, "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["status"] == "holds"
 
 
 def test_a_package_of_an_earlier_version_enters_a_study(released: Path, tmp_path: Path) -> None:
@@ -193,7 +198,7 @@ def test_a_height_that_another_version_computed_otherwise_is_told(
     found = check(package)
     assert found.ok and found.not_checked[0] == "heights", found.problem
     assert "states height 1.309900, its clicks give 1.310000 m" in " ".join(found.notes)
-    assert "not with the given audit head" in str(check(package, head).problem)
+    assert "goes through the given audit head" in str(check(package, head).problem)
 
 
 def test_words_are_held_against_their_codes_and_codes_against_the_events(

@@ -62,7 +62,7 @@ def test_a_charuco_board_has_its_numbers_where_the_detector_expects_them(columns
     columns=st.integers(3, 30),
     rows=st.integers(3, 30),
     square_mm=st.floats(1.0, 300.0),
-    paper=st.sampled_from([None, *PAPERS, "900x4000"]),
+    paper=st.sampled_from([None, *PAPERS, "900x4000", "120x120"]),
 )
 def test_all_ink_lies_on_the_sheet_or_the_size_that_is_needed_is_said(
     columns: int, rows: int, square_mm: float, paper: str | None
@@ -80,6 +80,7 @@ def test_all_ink_lies_on_the_sheet_or_the_size_that_is_needed_is_said(
     far = printed.black[:, :2] + printed.black[:, 2:]
     assert printed.black[:, :2].min() >= 0.0099 and (far <= np.array(printed.size_m) - 0.0099).all()
     left, top, length = printed.bar_m
+    assert length == 0.1 and left >= 0.0099
     assert top >= far[:, 1].max() and left + length <= printed.size_m[0] and top + 0.014 <= printed.size_m[1]
     assert np.isclose(printed.black[:, 2:].prod(axis=1).sum(), len(printed.black) * (0.001 * square_mm) ** 2)
 
@@ -87,6 +88,7 @@ def test_all_ink_lies_on_the_sheet_or_the_size_that_is_needed_is_said(
 UNPRINTABLE = [
     ("B7", "Paper 'B7' is not known"),
     ("12x", "not known"),
+    ("119x300", "not known"),  # no room for the bar
     ("A4", "not fit on A4"),
     (None, "larger than A0"),
 ]

@@ -2,7 +2,6 @@
 
 import json
 from collections.abc import Callable
-from dataclasses import asdict
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -25,7 +24,7 @@ from sightline.infra.audit.checkpoints import (
 from sightline.infra.audit.guards import require_guards
 from sightline.infra.audit.merkle import path_of, root_by_path, root_of
 from sightline.infra.audit.records import AuditHead, Verification
-from sightline.infra.audit.signing import put_in_force, replacing_key, signing_key
+from sightline.infra.audit.signing import SigningKey, put_in_force, replacing_key, signing_key
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.audit.verification import verify_database, verify_records
 from sightline.infra.audit.vouched import (
@@ -505,6 +504,42 @@ def test_events_name_their_actor_and_turn_the_page(filled: SessionFactory) -> No
     assert of_reviews[0].after is not None and of_reviews[0].after["verdict"] == "accepted"
 
 
+def test_what_was_kept_elsewhere_is_held_against_a_database(
+    filled: SessionFactory, database_url: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A head, a checkpoint and the key of the installation hold; those of another do not."""
+    key, other = SigningKey(b"1" * 32), SigningKey(b"2" * 32)
+    sound = verify_database(database_url)
+    with writing(filled) as session:
+        kept = sign_checkpoint(session, key, actor=None)
+    place = tmp_path / "checkpoint.json"
+    place.write_text(json.dumps(kept))
+    end = kept["ends"][0][2]
+    anchors = ["--head", end[:16], "--head", verify_database(database_url).head_hash, "--key", key.public]
+    assert main(["verify", database_url, *anchors, "--checkpoint", str(place)]) == 0
+    capsys.readouterr()
+    for given, said in (
+        (["--head", sound.head_hash], "goes through the given audit head"),
+        (["--head", end, "--head", "a" * 64], "goes on from what was given"),
+        (["--key", other.public], "not with the given key"),
+    ):
+        assert main(["verify", database_url, *given]) == 1
+        assert said in capsys.readouterr().err
+    place.write_text(json.dumps({**kept, "root": sound.head_hash}))
+    assert main(["verify", database_url, "--checkpoint", str(place)]) == 2
+    assert "no checkpoint" in capsys.readouterr().err
+    cut = AuditHead(kept["ends"][0][1], "b" * 64)
+    ends = {name: AuditHead(count, hash_) for name, count, hash_ in kept["ends"]} | {kept["ends"][0][0]: cut}
+    forged = {name: kept[name] for name in ("format", "at", "chains")} | {
+        "root": root_of(ends),
+        "key": key.public,
+    }
+    listed = [[name, one.count, one.hash] for name, one in ends.items()]
+    place.write_text(json.dumps({**forged, "signature": key.sign(forged), "ends": listed}))
+    assert main(["verify", database_url, "--checkpoint", str(place)]) == 1
+    assert "are not those signed on" in capsys.readouterr().err
+
+
 def test_the_command_says_what_the_function_finds(
     filled: SessionFactory, database_url: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -516,7 +551,9 @@ def test_the_command_says_what_the_function_finds(
     assert main(["verify", database_url, "--json"]) == 1
     said = capsys.readouterr()
     problem = str(verify_database(database_url).problem)
-    told = {**asdict(verify_database(database_url)), "problem": problem}
+    found = verify_database(database_url)
+    told = {"status": "broken", "problems": [problem], "not_checked": [], "key": None}
+    told |= {"head": found.head_hash, "count": found.checked}
     assert json.loads(said.out) == {"kind": "database", **told}
     assert problem in said.err
     assert main(["verify", "sqlite:////nowhere/sightline.db"]) == 2

@@ -69,6 +69,18 @@ def standing(at_m: float, far: bool = False, wait_s: float = 7.0) -> tuple[Strip
     return strips(site, (stands, beside, at(cars()[2], rear_s + 1.8, 12.0))), (rear_s, rear_s + 1.8)
 
 
+@lru_cache(maxsize=1)
+def two_standing(wait_s: float) -> tuple[Strips, tuple[float, float]]:
+    """One stands on the far lane from 1.2 s on for 20 s; another stops before it at 7.0 s, for `wait_s`; the
+    seconds of both rears. Of a slower rig.
+    """
+    behind = at(cars()[1], 1.2, 7.0, halt=Halt(1.6, 20.0), far=True)
+    before = at(cars()[0], 7.0, 7.0, halt=Halt(1.6, wait_s))
+    rears_s = behind.clear_s(0.0), before.clear_s(0.0)
+    site = replace(SITE, rows=64, line_rate_hz=SLOW_RIG.line_rate_hz)
+    return strips(site, (behind, before, at(cars()[2], max(rears_s) + 1.8, 12.0))), rears_s
+
+
 def found(pair: Strips, rig: Rig = RIG, piece: int = 1500) -> tuple[list[Passage], Finder]:
     """All vehicles of a pair, pushed in pieces."""
     finder = Finder(pair[0].shape[1], rig)

@@ -8,9 +8,9 @@ import pytest
 from sightline.linescan.direct import measure_direct
 from sightline.linescan.faults import notes_of
 from sightline.linescan.finding import Finder
-from tests.linescan.scenes import RIG, SITE, SLOW_RIG, at, cars, found, plain, plain_truth
+from tests.linescan.scenes import RIG, SITE, cars, found, plain, plain_truth
 from tests.simulation.scan_strips import strips
-from tests.simulation.scan_traffic import Halt, traffic
+from tests.simulation.scan_traffic import traffic
 
 pytestmark = pytest.mark.once
 
@@ -79,17 +79,6 @@ def test_a_light_that_jumps_is_counted():
         strip[int(plain_truth()[1].rear_line_2) + 120 :] *= 1.3
     said, _ = _notes(tuple(np.clip(strip, 0, 255).astype(np.uint8) for strip in pair))
     assert "The brightness changed suddenly once" in said
-
-
-def test_who_stops_in_front_of_one_that_stands_is_told():
-    """It was lost without a word but one of a light that changed."""
-    rate = {"rows": 64, "line_rate_hz": SLOW_RIG.line_rate_hz}
-    stands = at(cars()[1], 1.2, 7.0, halt=Halt(1.6, 14.0), far=True)
-    before = at(cars()[0], 5.0, 7.0, halt=Halt(1.6, 5.0))
-    for passing, told in (((stands, before), True), ((stands,), False)):
-        passages, finder = found(strips(replace(SITE, **rate), passing), SLOW_RIG)
-        assert len(passages) == 1
-        assert ("stopped in front of another" in " ".join(map(str, notes_of(finder)))) == told
 
 
 def test_lines_lost_while_a_vehicle_passes_are_not_measured_over():

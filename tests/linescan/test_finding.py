@@ -35,6 +35,7 @@ from tests.linescan.scenes import (
     standing,
     stopping,
     touching,
+    two_standing,
 )
 from tests.simulation.scan_strips import strips
 
@@ -146,6 +147,32 @@ def test_a_vehicle_that_stands_is_in_view_until_it_has_gone(at_m):
     assert beside.front_s == pytest.approx(7.0, abs=0.05)
     assert beside.motion.speed_mps == pytest.approx(14.0, abs=0.1)
     assert after.gap.time_gap_s == pytest.approx(1.8, abs=0.012)
+
+
+def test_one_that_stops_before_one_that_stands_is_told_apart():
+    """It was taken for the road before which the first stood, and was in no list."""
+    pair, (behind_s, before_s) = two_standing(8.0)
+    passages, _ = found(pair, SLOW_RIG)
+    before, behind, after = measure_passages(passages, SLOW_RIG, "direct")
+    assert (before.motion.reason, behind.motion.reason, after.motion.reason) == (STOPPED, STOPPED, None)
+    assert before.front_s == pytest.approx(7.0, abs=0.4) and before.rear_s == pytest.approx(
+        before_s, abs=0.05
+    )
+    assert behind.front_s == pytest.approx(1.2, abs=0.4) and behind.rear_s == pytest.approx(
+        behind_s, abs=0.05
+    )
+    assert after.gap.time_gap_s == pytest.approx(1.8, abs=0.025)
+
+
+def test_one_stands_before_another_until_that_has_left():
+    """Nobody saw the one behind leave: both are in view until the road is seen again."""
+    pair, (_, before_s) = two_standing(30.0)
+    passages, _ = found(pair, SLOW_RIG)
+    behind, before, *_, after = measure_passages(passages, SLOW_RIG, "direct")
+    assert (before.motion.reason, behind.motion.reason, after.motion.reason) == (STOPPED, STOPPED, None)
+    assert behind.rear_s == pytest.approx(before_s, abs=0.05) and before.rear_s == pytest.approx(
+        before_s, abs=0.1
+    )
 
 
 def test_what_leaves_is_no_vehicle_in_pieces():

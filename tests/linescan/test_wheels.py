@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from sightline.linescan import wheels
 from sightline.linescan.parts import Crossings, Motion
 from sightline.linescan.wheels import NO_MOTION, NONE_FOUND, wheels_in
 from tests.linescan.scenes import RIG, plain, plain_truth
@@ -38,6 +39,19 @@ def test_both_wheels_are_found_to_a_centimetre(noise_dn: float) -> None:
         assert found.reason is None and len(found.lines) == 2
         apart_m = (np.array(found.lines) - true.wheel_lines_1) * true.vehicle.speed_mps / RIG.line_rate_hz
         assert np.abs(apart_m).max() < 0.01
+
+
+@pytest.mark.parametrize("noise_dn", [0.0, 20.0])
+def test_the_likely_sizes_hold_the_best_one(monkeypatch: pytest.MonkeyPatch, noise_dn: float) -> None:
+    """What all sizes tried in full find, digit for digit."""
+    for true in plain_truth():
+        picture, start, motion = seen(true)
+        noisy = picture + np.random.default_rng(9).normal(0, noise_dn, picture.shape)
+        searched = np.clip(noisy, 0, 255).astype(np.uint8), start, motion, RIG
+        found = wheels_in(*searched)
+        with monkeypatch.context() as all_sizes:
+            all_sizes.setattr(wheels, "LIKELY", 1000)
+            assert wheels_in(*searched) == found
 
 
 @pytest.mark.parametrize("rows", [48, 96])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -20,11 +21,11 @@ from sightline.media.strips import spool
 from sightline.media.strips.reader import open_strip
 from sightline.media.strips.sheet import Pixels
 from sightline.messages.said import Said
-from sightline.scans.live.journal import interrupted_segment, unmoved_segments
+from sightline.scans.live.journal import Journal, interrupted_segment, unmoved_segments
 from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle, SegmentFacts
 from sightline.scans.live.run import Clock, LiveRun
 from sightline.traffic.archive import SHARED_S
-from tests.linescan.scenes import SLOW_RIG, standing
+from tests.linescan.scenes import SLOW_RIG, at, cars, standing
 from tests.simulation.scan_strips import strips
 from tests.simulation.scan_traffic import ScanSite, traffic
 
@@ -291,23 +292,32 @@ def test_segments_begin_where_the_road_is_empty_and_lose_nothing(
         assert one.vehicle.motion.speed_mps == pytest.approx(same.vehicle.motion.speed_mps, rel=2e-3)
 
 
+@pytest.mark.parametrize("file", ["0002-camera-1.tif", "0002-camera-2.tif", "0002.jsonl"])
 def test_a_disk_that_is_full_where_a_segment_begins_ends_the_keeping_only(
-    twice: tuple[Pixels, Pixels], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    twice: tuple[Pixels, Pixels],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    recwarn: pytest.WarningsRecorder,
+    file: str,
 ) -> None:
+    """The files of that segment that could be made are closed, and none of them is left."""
     whole, _ = run_of(Played(twice), segment_s=1.5)
-    truncate = spool.Spool._put_words
+    put_words, write = spool.Spool._put_words, Journal.write
 
-    def full(made: spool.Spool) -> None:
-        if made.path.name.startswith("0002"):
+    def full(path: Path) -> None:
+        if path.name == file:
             raise OSError(28, "No space left on device")
-        truncate(made)
 
-    monkeypatch.setattr(spool.Spool, "_put_words", full)
+    monkeypatch.setattr(spool.Spool, "_put_words", lambda made: [full(made.path), put_words(made)])
+    monkeypatch.setattr(Journal, "write", lambda made, said: [full(Path(made._file.name)), write(made, said)])
     told, said = run_of(Played(twice), tmp_path, segment_s=1.5)
     in_turn = [(one.segment, one.vehicle.number, one.vehicle.motion.speed_mps) for one in told]
     assert in_turn == [(one.segment, one.vehicle.number, one.vehicle.motion.speed_mps) for one in whole]
     assert told[-1].segment >= 2
     assert len([one for one in said if "No space left" in one]) == 1
+    gc.collect()
+    assert [one for one in recwarn if one.category is ResourceWarning] == []
+    assert list(tmp_path.glob("0002*")) == []
 
 
 @pytest.mark.parametrize("killed_again", [False, True])
@@ -528,6 +538,50 @@ def test_a_file_is_compared_with_the_kept_lines_though_older_ones_come_first(
     assert resumed.broken == replaced
     assert any("was replaced by another file" in str(one) for one in said) == replaced
     assert any(segment > 2 for segment, _ in told) != replaced
+
+
+@pytest.mark.parametrize("against", [True, False])
+def test_vehicles_nearer_together_than_the_baseline_are_each_told_once_after_a_kill(
+    tmp_path: Path, against: bool
+) -> None:
+    """The second was before the one camera while the first, which was told, was still before the other."""
+    first = at(cars()[1], 0.8, 6.0, against=against)
+    second = at(cars()[0], first.time_s(first.length_m + 0.3), 6.0, against=against)
+    pair = strips(SITE, (first, second))
+    clean, _ = run_of(Played(pair))
+    killed = live_run(lambda _: Played(pair), tmp_path, clock=stopped_at(1e9))
+    killed.told(next(killed.vehicles()))
+    kill(killed)
+    resumed = live_run(lambda begin: Played(tuple(one[begin:] for one in pair)), tmp_path, can_go_back=True)
+    (told,) = resumed.vehicles()
+    assert (told.segment, told.vehicle.number) == (2, 2)
+    front = told.begin + told.vehicle.motion.crossings.front_line_1
+    assert front == pytest.approx(clean[1].vehicle.motion.crossings.front_line_1, abs=0.5)
+    assert told.vehicle.motion.speed_mps == pytest.approx(6.0, abs=0.05)
+    assert told.vehicle.gap.time_gap_s == pytest.approx(clean[1].vehicle.gap.time_gap_s, abs=1e-3)
+
+
+@pytest.mark.parametrize("written", ["over its beginning", "anew and longer", "anew and as long"])
+def test_a_followed_file_that_is_written_over_ends_the_stream_and_is_said(
+    pair: tuple[Pixels, Pixels], tmp_path: Path, written: str
+) -> None:
+    """The same file: what was read of it is others' lines now, and what follows does not go on from it."""
+    lines = np.stack([np.asarray(one, np.uint8) for one in pair], axis=1)
+    path, ending = tmp_path / "lines.raw", Ending()
+    path.write_bytes(lines[:2000].tobytes())
+    source = FollowedLines(path, SITE.rows, ending, idle_s=0.1)
+    pieces = source.pieces()
+    first = next(pieces)
+    assert first is not None and len(first.first) == 2000
+    others = lines[::-1].tobytes()
+    if written == "over its beginning":
+        with path.open("r+b") as file:
+            file.write(others[: 500 * lines[0].size])
+    else:
+        path.write_bytes(others[: (3000 if written == "anew and longer" else 2000) * lines[0].size])
+    assert [one for one in pieces if one is not None] == []
+    assert source.broken and "written over" in source.notes[0]
+    ending.close()
 
 
 def test_strips_that_were_not_moved_when_a_stream_was_killed_are_moved_by_the_next(

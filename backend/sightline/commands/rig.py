@@ -9,7 +9,7 @@ import click
 
 from sightline.commands.files import read_bytes, write_json
 from sightline.commands.options import FILE, json_option, number_option, output_option, tell
-from sightline.commands.scanned import U_LINE_RATE
+from sightline.commands.scanned import NO_U_LINE_RATE, U_LINE_RATE
 from sightline.coverage import expanded
 from sightline.errors import BadInput
 from sightline.linescan.rig_calibration import (
@@ -64,8 +64,11 @@ def calibrate(
         left = "".join(f" Row {one.row} is skipped: {one.reason}" for one in given.refused[:3])
         raise BadInput("rig-passes-problem", path=passes_csv, message=error.message, left=left) from None
     at = [lane_baseline(calibration, *one) for one in asked]
+    timed = any(one.kind == "speed" for one in calibration.passes)
+    notes = [NO_U_LINE_RATE] if timed and common.u_line_rate_ratio == 0 else []
     document = {
         **asdict(calibration),
+        "warnings": [*calibration.warnings, *notes],
         "U95_baseline_m": expanded(calibration.u_baseline_m),
         "U95_divergence_rad": expanded(calibration.u_divergence_rad),
         "lanes": [{**asdict(one), "U95_baseline_m": expanded(one.u_baseline_m)} for one in at],
@@ -73,7 +76,7 @@ def calibrate(
     }
     if output is not None:
         write_json(output, document)
-    tell(as_json, document, _describe_calibration(calibration, at, given))
+    tell(as_json, document, _describe_calibration(calibration, at, given, notes))
 
 
 def _lane(text: str) -> tuple[float, float]:
@@ -87,7 +90,9 @@ def _lane(text: str) -> tuple[float, float]:
     return numbers[0], (numbers[1] if len(numbers) == 2 else 0.0)
 
 
-def _describe_calibration(calibration: RigCalibration, lanes: list[LaneBaseline], given: GivenPasses) -> str:
+def _describe_calibration(
+    calibration: RigCalibration, lanes: list[LaneBaseline], given: GivenPasses, notes: list[str]
+) -> str:
     divergence, U95_divergence = (
         1e3 * calibration.divergence_rad,
         1e3 * expanded(calibration.u_divergence_rad),
@@ -109,8 +114,8 @@ def _describe_calibration(calibration: RigCalibration, lanes: list[LaneBaseline]
         for one in calibration.passes
     ]
     lines += [f"left out row {one.row} ({one.name}): {one.reason}" for one in given.refused]
-    notes = [*calibration.warnings, *(one.warning for one in lanes if one.warning)]
-    return "\n".join([*lines, *(f"note: {one}" for one in notes)])
+    warnings = [*calibration.warnings, *(one.warning for one in lanes if one.warning), *notes]
+    return "\n".join([*lines, *(f"note: {one}" for one in warnings)])
 
 
 def _lane_text(lane: LaneBaseline) -> str:

@@ -61,6 +61,7 @@ COLUMNS = (
 )
 
 
+NO_U_LINE_RATE = "The uncertainty of the line rate is not included, because it was not given (--u-line-rate)."
 #: Further columns where it is known when line 0 was taken.
 TIMES = ("front_at", "u_front_at_s")
 _MOST_U_START_S = 3600.0
@@ -229,9 +230,7 @@ def left_out(rig: Rig, measured: int, start: Start | None = None) -> list[str]:
             "The uncertainty of the baseline is not included, because it was not given (--u-baseline)."
         )
     if measured and rig.u_line_rate_ratio == 0:
-        out.append(
-            "The uncertainty of the line rate is not included, because it was not given (--u-line-rate)."
-        )
+        out.append(NO_U_LINE_RATE)
     if measured and start is not None and start.u_s is None:
         out.append("Times of day have no uncertainty, because that of the start was not given (--u-start).")
     return out

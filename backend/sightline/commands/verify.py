@@ -6,40 +6,91 @@ from typing import Any
 
 import click
 
-from sightline.commands.options import json_option, print_json, progress_told
+from sightline.commands.files import read_json
+from sightline.commands.options import FILE, json_option, print_json, progress_told
 from sightline.errors import BadInput, Damaged
+from sightline.infra.audit.anchors import Anchors
+from sightline.messages.said import Said
 from sightline.settings import sqlite_url
 
 DATABASE = "sightline.db"
 BACKUP = "manifest.json"
+#: From the best to the worst.
+_EXIT: dict[str, int] = {"holds": 0, "unanchored": 3, "broken": 1}
 
 
 @click.command()
-@click.argument("place", metavar="DIR_OR_DATABASE")
-@click.option("--head", help="Audit head that you kept (last hash, 16 characters or more), for a package.")
+@click.argument("places", metavar="PATH...", nargs=-1, required=True)
+@click.option("--key", help="Signing key of the installation (16 characters or more), as you kept it.")
 @click.option(
-    "--key", help=("Signing key of the installation (16 characters or more), for a package or evidence file.")
+    "--head",
+    "heads",
+    multiple=True,
+    help="Audit head that you kept, of this or an earlier package (16 characters or more). May be repeated.",
+)
+@click.option(
+    "--checkpoint",
+    "checkpoints",
+    multiple=True,
+    type=FILE,
+    help="Checkpoint that you kept: of sightline checkpoint, or of a package. May be repeated.",
 )
 @json_option
-def verify(place: str, head: str | None, key: str | None, as_json: bool) -> None:
-    """Check a database, a package (folder or ZIP), a backup or an evidence file with its audit chain.
+def verify(
+    places: tuple[str, ...],
+    key: str | None,
+    heads: tuple[str, ...],
+    checkpoints: tuple[Path, ...],
+    as_json: bool,
+) -> int:
+    """Check databases, packages (folder or ZIP), backups or evidence files with their audit chains.
 
     A database is given as its file, its data folder or its postgresql:// address; an evidence file ends in
     .html. For a package, this includes its seal (by which the chain names every file), every height and
     statistic (recomputed), every row against the audit chain, and the signature of the chain's end. A
-    chain that was rewritten and signed again is detected with --key (if the forger does not have the key)
-    or --head.
+    chain that was rewritten and signed again is detected with --key (if the forger does not have the key),
+    --head or --checkpoint: each must hold in one of the places, and one of each kind in every place.
+
+    Exit status: 0 holds; 1 does not; 2 cannot be read; 3 nothing contradicts, but another version made it, so
+    that some checks were not made, and nothing that was kept elsewhere vouches for it.
     """
-    checked = check(place, head, key)
+    anchors = Anchors(key, heads, [read_json(one, "a checkpoint") for one in checkpoints])
+    found = [_checked(place, anchors) for place in places]
+    status = max((one["status"] for one in found), key=list(_EXIT).index)
+    problems = [problem for one in found for problem in one["problems"]]
+    broken = [place for place, one in zip(places, found, strict=True) if one["problems"]] or places
+    if anchors.unheld and status != "broken":
+        status, problems = "broken", [str(Said("commands-anchors-unheld", anchors=", ".join(anchors.unheld)))]
     if as_json:
-        print_json(checked)
-    if not checked["ok"]:
-        raise Damaged("commands-problem-2", place=place, problem=checked["problem"])
-    if not as_json:
-        click.echo(_describe_check(place, checked))
+        not_checked = list(dict.fromkeys(part for one in found for part in one["not_checked"]))
+        told = {"status": status, "problems": problems, "not_checked": not_checked}
+        print_json({**found[0], **told} if len(found) == 1 else {**told, "places": found})
+    for place, one in zip(places, found, strict=True):
+        if not as_json and one["status"] != "broken":
+            click.echo(_describe_check(place, one))
+    if status == "broken":
+        raise Damaged("commands-problem-2", place=", ".join(broken), problem=" ".join(problems))
+    return _EXIT[status]
 
 
-def check(place: str, head: str | None = None, key: str | None = None) -> dict[str, Any]:
+def _checked(place: str, anchors: Anchors) -> dict[str, Any]:
+    """What was checked, as the contract names it, and further counts."""
+    checked = check(place, anchors)
+    ok, problem = checked.pop("ok"), checked.pop("problem")
+    not_checked = checked.pop("not_checked", [])
+    status = "broken" if not ok else "unanchored" if not_checked and not anchors else "holds"
+    return {
+        "status": status,
+        "problems": [] if ok else [str(problem)],
+        "not_checked": not_checked,
+        "key": checked.pop("key", None) or None,
+        "head": checked.pop("head_hash", None) or None,
+        "count": checked.pop("checked", None),
+        **checked,
+    }
+
+
+def check(place: str, anchors: Anchors) -> dict[str, Any]:
     """What was checked, with `ok` and `problem`. Raises BadInput for a place that is none of them, and for
     an anchor that it is not held against.
     """
@@ -48,53 +99,51 @@ def check(place: str, head: str | None = None, key: str | None = None) -> dict[s
         raise BadInput("commands-place-missing", place=place)
     if (path / DATABASE).is_file():
         path = path / DATABASE
-    is_backup = (path / BACKUP).is_file()
-    if not is_backup and (path.is_dir() or path.suffix.lower() == ".zip"):
-        return check_export(path, head, key)
-    is_evidence = path.suffix.lower() in (".html", ".htm") and path.is_file()
-    for name, kept in (("head", head), ("key", None if is_evidence else key)):
-        if kept is not None:
-            raise BadInput("commands-option-without-effect", name=name, instead="it with a package")
-    if is_evidence:
-        return check_evidence(path, key)
-    if is_backup:
-        return check_backup_folder(path)
-    return check_database(place) if is_url else check_database(sqlite_url(path.absolute()), str(path))
+    if (path / BACKUP).is_file():
+        return check_backup_folder(path, anchors)
+    if path.is_dir() or path.suffix.lower() == ".zip":
+        return check_export(path, anchors)
+    if path.suffix.lower() in (".html", ".htm") and path.is_file():
+        return check_evidence(path, anchors)
+    return check_database(place if is_url else sqlite_url(path.absolute()), place, anchors)
 
 
-def check_export(path: Path, head: str | None = None, key: str | None = None) -> dict[str, Any]:
+def check_export(path: Path, anchors: Anchors | None = None) -> dict[str, Any]:
     """An exported folder or ZIP, with the SHA-256 of the ZIP."""
     from sightline.export.verify.package import verify_place
     from sightline.media.store.local import sha256_of
 
-    found = asdict(verify_place(path, head, key))
+    found = asdict(verify_place(path, anchors))
     return {"kind": "export", **found, "sha256": sha256_of(path) if path.is_file() else None}
 
 
-def check_evidence(path: Path, key: str | None = None) -> dict[str, Any]:
+def check_evidence(path: Path, anchors: Anchors) -> dict[str, Any]:
     """The evidence file of a vehicle: signature, hashes, events, numbers, decision."""
     from sightline.export.evidence.page import MOST_BYTES
     from sightline.export.evidence.verify import verify_evidence
 
+    if anchors.unheld:
+        raise BadInput("commands-option-without-effect", name="head", instead="--key with an evidence file")
     if path.stat().st_size > MOST_BYTES:
         raise Damaged("evidence-not-one")
-    return {"kind": "evidence", **asdict(verify_evidence(path.read_bytes(), key))}
+    return {"kind": "evidence", **asdict(verify_evidence(path.read_bytes(), anchors.key))}
 
 
-def check_backup_folder(path: Path) -> dict[str, Any]:
+def check_backup_folder(path: Path, anchors: Anchors) -> dict[str, Any]:
     """A folder of `sightline backup`: every file by its hash, of SQLite the audit chains too."""
     from sightline.commands.backup import read_words
     from sightline.infra.backup.restore import check_backup
 
-    found = check_backup(path, progress_told())
-    return {"kind": "backup", "ok": True, "problem": None, "said": read_words(path, found)}
+    found = check_backup(path, progress_told(), anchors)
+    audit = {} if found.audit is None else asdict(found.audit)
+    return {"kind": "backup", "ok": True, "problem": None, **audit, "said": read_words(path, found)}
 
 
-def check_database(url: str, name: str = "This address") -> dict[str, Any]:
+def check_database(url: str, name: str = "This address", anchors: Anchors | None = None) -> dict[str, Any]:
     """A database; nothing in it is changed."""
     from sightline.infra.audit.verification import verify_database
 
-    return {"kind": "database", **asdict(verify_database(url, name))}
+    return {"kind": "database", **asdict(verify_database(url, name, anchors))}
 
 
 def _describe_check(place: str, checked: dict[str, Any]) -> str:
@@ -102,9 +151,7 @@ def _describe_check(place: str, checked: dict[str, Any]) -> str:
         return str(checked["said"])
     if checked["kind"] == "evidence":
         return _evidence_words(place, checked)
-    sentence = (
-        f"{place}: the audit chain of {checked['checked']} events is intact, head {checked['head_hash'][:16]}"
-    )
+    sentence = f"{place}: the audit chain of {checked['count']} events is intact, head {checked['head'][:16]}"
     if checked["kind"] != "export":
         return sentence + "."
     sentence += (

@@ -26,7 +26,8 @@ _ISO = ("A4", "A3", "A2", "A1", "A0")
 _EDGE_M = 0.010  # what printers leave white
 _EDGE_SQUARES = 0.4  # white about the board, at least
 _CAPTION_M = 0.015
-_BARS_M = (1.0, 0.5, 0.2, 0.1, 0.05)
+_BAR_M = 0.1
+_LEAST_MM = 120  # of a sheet's sides: the bar and what printers leave white
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,9 +58,8 @@ def printed_board(board: Board, paper: str | None = None) -> PrintedBoard:
     left, top = 0.5 * (size[0] - across), 0.5 * (size[1] - _CAPTION_M - down)
     black, white = _ink(board)
     place = np.array([left, top, 0.0, 0.0])
-    length = next((one for one in _BARS_M if one <= across), _BARS_M[-1])
-    below = top + down + edge
-    return PrintedBoard(name, size, black + place, white + place, (left, below, length))
+    bar = min(left, size[0] - _EDGE_M - _BAR_M), top + down + edge, _BAR_M
+    return PrintedBoard(name, size, black + place, white + place, bar)
 
 
 def _sheet(board: Board, needed: tuple[float, float], paper: str | None) -> tuple[str, tuple[float, float]]:
@@ -93,7 +93,7 @@ def _size_of(paper: str) -> tuple[float, float]:
     if paper.strip().lower() in known:
         return known[paper.strip().lower()]
     sides = paper.lower().split("x")
-    if len(sides) == 2 and all(side.strip().isdigit() and 50 <= int(side) <= 5000 for side in sides):
+    if len(sides) == 2 and all(side.strip().isdigit() and _LEAST_MM <= int(side) <= 5000 for side in sides):
         return 0.001 * int(sides[0]), 0.001 * int(sides[1])
     raise BadInput("geometry-paper-not-known", paper=repr(paper), papers=", ".join(PAPERS))
 

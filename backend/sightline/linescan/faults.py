@@ -23,8 +23,7 @@ SATURATED_SHARE = 0.02
 def notes_of(finder: Finder) -> list[Said]:
     """A saying for each thing that a finder saw besides vehicles, after `finish`; empty if nothing."""
     seconds = max(finder.watchers[0].lines / finder.rig.line_rate_hz, 1e-9)
-    notes = [_none_found(finder), _swapped(finder), _too_many_alone(finder)]
-    notes += [_in_front(finder), _jumps(finder), _moves(finder)]
+    notes = [_none_found(finder), _swapped(finder), _too_many_alone(finder), _jumps(finder), _moves(finder)]
     for number, watcher in enumerate(finder.watchers, 1):
         notes += [
             _unrest(number, watcher),
@@ -59,11 +58,6 @@ def _too_many_alone(finder: Finder) -> Said | None:
     if finder.alone <= max(2, 0.2 * finder.found):
         return None
     return Said("scan-run-alone", alone=finder.alone)
-
-
-def _in_front(finder: Finder) -> Said | None:
-    """Who stops before one that stands is taken for the road."""
-    return Said("scan-run-stood-in-front") if any(one.in_front for one in finder.watchers) else None
 
 
 def _jumps(finder: Finder) -> Said | None:

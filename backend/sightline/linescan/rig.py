@@ -297,7 +297,8 @@ def baseline_ratio(
     u = sqrt(excess / float(np.sum(weights)))
     spread = float(np.std(ratios, ddof=1))
     if abs(mean - 1) <= 2 * u:
-        agrees = Said("rig-baseline-agrees", count=n, of=of, U95_percent=round(100 * expanded(u), 2))
+        off, U95 = (round(100 * share, 2) for share in (mean - 1, expanded(u)))
+        agrees = Said("rig-baseline-agrees", count=n, of=of, off_percent=off, U95_percent=U95)
         return RigEstimate(mean, u, spread, n, agrees=agrees)
     warning = Said(
         "rig-baseline-off",

@@ -93,8 +93,8 @@ class Watcher:
     the order of their fronts.
 
     What stands in view becomes the background, before which others pass; its event goes on until the road is
-    seen again, and theirs wait for it. What stands for too long is given up: theirs wait no longer, and its
-    own comes after them, when it has left.
+    seen again, and theirs wait for it. What stands for too long, or until another stands before it, is given
+    up: theirs wait no longer, and its own comes after them, when it has left.
     """
 
     grid: Grid
@@ -103,7 +103,6 @@ class Watcher:
     blips: int = 0
     jumps: int = 0
     moves: int = 0
-    in_front: int = 0
     lines: int = 0
     saturated_lines: float = 0.0
     bits: int = 8
@@ -211,9 +210,7 @@ class Watcher:
         if self._standing is not None:
             if not for_others and self.lines - self._standing.front <= self.spans.stands:
                 return []
-            self._standing.given_up = self.lines
-            self._given_up.append(self._standing)
-            self._standing = None
+            self._give_up()
         late: list[Event] = []
         if len(self._given_up) > MOST_GIVEN_UP:
             was = self._given_up.pop(0)
@@ -221,6 +218,13 @@ class Watcher:
         return late + self._released(
             len(self._waiting) if for_others or not self._given_up else self._stood_still_after()
         )
+
+    def _give_up(self) -> None:
+        """Nobody waits any longer for what stands, if anything does."""
+        if self._standing is not None:
+            self._standing.given_up = self.lines
+            self._given_up.append(self._standing)
+            self._standing = None
 
     def _released(self, count: int) -> list[Event]:
         """The first of those that wait."""
@@ -337,10 +341,8 @@ class Watcher:
         self._open.still |= self._still >= self.spans.still
         if self._still < self.spans.stuck:
             return []
-        if self._standing is None:
-            self._standing = self._open
-        else:
-            self.in_front += 1
+        self._give_up()
+        self._standing = self._open
         self._take(block)
         return []
 

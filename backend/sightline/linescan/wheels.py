@@ -4,8 +4,9 @@ Along the vehicle the picture is laid out in metres by the motion; upwards a row
 wheel is an ellipse. What all wheels of a vehicle have in common is used: they stand on one line, and are of
 one size or nearly so. A wheel is a dark ring (the tyre), lighter beside it at its foot (road or shadow) and
 lighter within (rim). Own method: normalised correlation with that ring for every size that a wheel may have;
-the size at which the two best places agree best is the vehicle's. Wheels behind the picture's side and
-lifted axles are not seen, and twin wheels of one axle are one.
+the size at which the two best places agree best is the vehicle's, looked for among those that fit best in a
+shorter picture. Wheels behind the picture's side and lifted axles are not seen, and twin wheels of
+one axle are one.
 """
 
 from dataclasses import dataclass
@@ -26,6 +27,8 @@ ROWS = 72
 # of a wheel: outer radius along the vehicle; half its height in rows of ROWS, for fields of 1.1 to 4.5 m
 RADII_M = (0.26, 0.30, 0.34, 0.38, 0.43, 0.48, 0.54)
 RADII_ROWS = (5.0, 6.0, 7.2, 8.6, 10.3, 12.4, 15.0, 18.0, 21.5)
+# so many sizes are tried in full, after all of them in a picture that is shorter by so much
+LIKELY, SHORTER = 9, 3
 RIM, FOOT = 0.62, 1.30
 WITHIN = 0.9
 LEAST_LIKENESS = 0.45
@@ -70,13 +73,12 @@ def wheels_in(picture: Pixels, start: int, motion: Motion, rig: Rig) -> Wheels:
     if motion.speed_mps is None or motion.acceleration_mps2 is None or motion.length_m is None:
         return Wheels((), NO_MOTION)
     laid, lines = _laid_out(picture, start, motion, rig)
-    best = max(
-        (_best(laid, along, upwards) for along in RADII_M for upwards in RADII_ROWS), key=lambda one: one[0]
+    score, likeness, along, row, upwards = max(
+        (_best(laid, *size) for size in _likely_sizes(laid)), key=lambda one: one[0]
     )
-    score, likeness, radius_m, row, upwards = best
     if score < LEAST_LIKENESS:
         return Wheels((), NONE_FOUND)
-    hubs = _peaks(likeness, radius_m)
+    hubs = _peaks(likeness, along)
     if not hubs:
         return Wheels((), NONE_FOUND)
     at = np.interp(hubs, np.arange(len(lines)), lines)
@@ -101,7 +103,16 @@ def _laid_out(picture: Pixels, start: int, motion: Motion, rig: Rig) -> tuple[Ar
     return np.asarray((np.diff(at, axis=0) / width).T, np.float32), lines + start
 
 
-@lru_cache(maxsize=len(RADII_M) * len(RADII_ROWS))
+def _likely_sizes(laid: Array) -> list[tuple[float, float]]:
+    """Radii along, steps, and upwards, rows, that fit best in a shorter picture."""
+    rows, steps = laid.shape
+    short = cv2.resize(laid, (ceil(steps / SHORTER), rows), interpolation=cv2.INTER_AREA)
+    sizes = [(radius_m / STEP_M, upwards) for radius_m in RADII_M for upwards in RADII_ROWS]
+    fits = [_best(np.asarray(short, np.float32), along / SHORTER, upwards)[0] for along, upwards in sizes]
+    return [sizes[at] for at in np.argsort(fits)[-LIKELY:]]
+
+
+@lru_cache(maxsize=2 * len(RADII_M) * len(RADII_ROWS))
 def _ring(along: float, upwards: float) -> tuple[Array, Array, float]:
     """Weights of a ring, the tyre -1, its foot's surroundings and the rim +1, weighted less its mean, and its
     spread.
@@ -121,22 +132,22 @@ def _ring(along: float, upwards: float) -> tuple[Array, Array, float]:
     return weight, np.asarray(weight * centred, np.float32), spread
 
 
-def _best(laid: Array, radius_m: float, upwards: float) -> tuple[float, Array, float, float, float]:
-    """Of a size: mean likeness of the two best places of its best row, that row's (steps,), radius, row, half
-    height.
+def _best(laid: Array, along: float, upwards: float) -> tuple[float, Array, float, float, float]:
+    """Of a size: mean likeness of the two best places of its best row, that row's (steps,), radius along,
+    row, radius upwards.
     """
-    likeness = _likeness(laid, radius_m / STEP_M, upwards)
+    likeness = _likeness(laid, along, upwards)
     if not likeness.size:
-        return -1.0, np.zeros(0, np.float32), radius_m, 0.0, upwards
-    apart = int(LEAST_APART * radius_m / STEP_M)
+        return -1.0, np.zeros(0, np.float32), along, 0.0, upwards
+    apart = int(LEAST_APART * along)
     most = (-1.0, 0)
     for row in np.argsort(-likeness.max(1))[:6]:
-        along = likeness[row].copy()
-        first = int(along.argmax())
-        one = float(along[first])
-        along[max(0, first - apart) : first + apart + 1] = -1.0
-        most = max(most, ((one + float(along.max())) / 2, int(row)))
-    return most[0], likeness[most[1]], radius_m, float(most[1]), upwards
+        left = likeness[row].copy()
+        first = int(left.argmax())
+        one = float(left[first])
+        left[max(0, first - apart) : first + apart + 1] = -1.0
+        most = max(most, ((one + float(left.max())) / 2, int(row)))
+    return most[0], likeness[most[1]], along, float(most[1]), upwards
 
 
 def _likeness(laid: Array, along: float, upwards: float) -> Array:
@@ -162,9 +173,9 @@ def _likeness(laid: Array, along: float, upwards: float) -> Array:
     return out
 
 
-def _peaks(likeness: Array, radius_m: float) -> list[float]:
+def _peaks(likeness: Array, along: float) -> list[float]:
     """Places of hubs, steps; each the vertex of a parabola through its best step and the neighbours."""
-    apart = int(LEAST_APART * radius_m / STEP_M)
+    apart = int(LEAST_APART * along)
     left, out = likeness.copy(), list[float]()
     least = max(LEAST_LIKENESS * 0.8, LEAST_SHARE * float(likeness.max()))
     while len(out) < MOST_AXLES:

@@ -8,6 +8,7 @@ from typing import Any
 
 from sightline.errors import Damaged
 from sightline.export.seal import ENTITY, Seal
+from sightline.infra.audit.hashing import GENESIS
 from sightline.infra.csv_package.chain import Event, chain, stamp
 from sightline.infra.csv_package.files import Files
 from sightline.infra.csv_package.replay import Replay
@@ -27,8 +28,8 @@ _WITHIN = {"review": ("vehicle_id", "vehicle"), **SCANS_WITHIN}
 class ReplayedState:
     """What the events of a chain say of the rows of a package.
 
-    `computed`: how many revisions each computing made, by its number. `line_revision_ids`: of heights of line
-    scans, by measurement and revision.
+    `computed`: how many revisions each computing made, by its number. `hashes`: of the events, that of none
+    first. `line_revision_ids`: of heights of line scans, by measurement and revision.
     """
 
     measurements: MeasurementEvents
@@ -38,10 +39,13 @@ class ReplayedState:
     lots: LotEvents = field(default_factory=LotEvents)
     computed: Counter[int] = field(default_factory=Counter)
     line_revision_ids: dict[tuple[int, int], int] = field(default_factory=dict)
-    count: int = 0
-    head: str = ""
+    hashes: list[str] = field(default_factory=lambda: [GENESIS])
     moment: str | None = None
-    survey_head: str = ""
+
+    @property
+    def count(self) -> int:
+        """Of the events."""
+        return len(self.hashes) - 1
 
     @property
     def survey(self) -> Mapping[str, Any]:
@@ -66,13 +70,13 @@ def walk(files: Files, seal: Seal, headers: Mapping[str, Collection[str]]) -> Re
     """
     state = ReplayedState(MeasurementEvents(REPEATS, headers), seal.survey_id)
     for event in chain(files):
-        state.count, state.head = int(event["number"]), event["hash"]
+        state.hashes.append(event["hash"])
         first = state.count == 1
         if event["survey_id"] != str(seal.survey_id) or (first and not _begins(event, seal)):
             raise Damaged("export-event-of-other", number=state.count)
         if state.count > seal.as_of or event["entity"] == ENTITY:
             continue
-        state.moment, state.survey_head = stamp(event["at"]), event["hash"]
+        state.moment = stamp(event["at"])
         after = json.loads(event["after"] or "{}")
         if event["entity"] in ("measurement", "line_height"):
             count_revisions(state.computed, after.get("row", after))

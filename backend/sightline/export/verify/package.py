@@ -26,6 +26,7 @@ from sightline.export.verify.chain import ReplayedState, walk
 from sightline.export.verify.checking import Checking, PackageCheck
 from sightline.export.verify.derived import check_drawn, check_page_again, check_tables_again
 from sightline.export.verify.described import check_description, read_description
+from sightline.infra.audit.anchors import Anchors
 from sightline.infra.audit.checkpoints import checkpoint_problem
 from sightline.infra.audit.records import AuditHead, survey_chain
 from sightline.infra.csv_package.columns import check_words
@@ -47,21 +48,19 @@ from sightline.infra.csv_package.verify import check_keys
 from sightline.measurements.csv import CLICKS, CLICKS_FOLDER, REVISIONS
 from sightline.messages import say
 
-_LEAST_OF_HEAD = 16
 
-
-def verify_place(place: Path, head: str | None = None, key: str | None = None) -> PackageCheck:
+def verify_place(place: Path, anchors: Anchors | None = None) -> PackageCheck:
     """Check an exported folder or ZIP, in a ZIP also one that lies in a folder. Raises BadInput for anything
     else, and for a folder that holds a package one level down, which it names.
     """
     files = open_package(place)
     if CHECKSUMS in files.paths or (inner := package_inside(files.paths)) is None:
-        return verify_package(files, head, key)
+        return verify_package(files, anchors)
     if place.is_dir():
         raise BadInput("export-package-is-inside", inner=place / inner)
     if inner.lower().endswith(".zip"):
         raise BadInput("export-zip-in-zip", place=place, inner=inner)
-    outcome = verify_package(InFolder(files, inner), head, key)
+    outcome = verify_package(InFolder(files, inner), anchors)
     outcome.notes.append(
         f"In the ZIP the package lies in the folder {inner}: this is not the file that Sightline wrote, but "
         "one that somebody packed anew."
@@ -69,13 +68,11 @@ def verify_place(place: Path, head: str | None = None, key: str | None = None) -
     return outcome
 
 
-def verify_package(files: Files, head: str | None = None, key: str | None = None) -> PackageCheck:
-    """Check everything; the first problem found is told. `head`: (the beginning of) the chain's last hash,
-    `key`: (the beginning of) a key of the installation that made the package, as they were kept elsewhere.
-    """
+def verify_package(files: Files, anchors: Anchors | None = None) -> PackageCheck:
+    """Check everything; the first problem found is told. `anchors`: what was kept elsewhere."""
     outcome = PackageCheck(ok=False, files=len(files.paths))
     try:
-        _check(files, head, key, outcome)
+        _check(files, anchors or Anchors(), outcome)
         outcome.ok = True
     except (Damaged, BadInput) as error:
         outcome.problem = error.message
@@ -86,17 +83,21 @@ def verify_package(files: Files, head: str | None = None, key: str | None = None
     return outcome
 
 
-def _check(files: Files, head: str | None, key: str | None, outcome: PackageCheck) -> None:
+def _check(files: Files, anchors: Anchors, outcome: PackageCheck) -> None:
     written = checksums(files)
     described = read_description(files)
     check_forms(files, {CLICKS_FOLDER: CLICKS.key})
     seal = read_seal(files)
     state = walk(files, seal, described.headers)
-    outcome.checked, outcome.head_hash = state.count, state.head
-    outcome.notes += _same_head(state, head)
+    outcome.checked, outcome.head_hash = state.count, state.hashes[-1]
     check_seal(seal, written)
-    outcome.signed_at, outcome.key = _signed(files, state, seal.survey_id, key)
-    outcome.notes += _of_key(outcome.key, key)
+    outcome.signed_at, outcome.key, keys = _signed(files, state, seal.survey_id)
+    outcome.notes += [
+        f"The chain continues event {number}, whose head was given; that vouches for the events until then, "
+        "not for later ones."
+        for number in anchors.hold({survey_chain(seal.survey_id): state.hashes}, keys, whole=False)
+    ]
+    outcome.notes += _of_key(outcome.key, anchors.key)
     tables = tables_of(described.most_frames)
     checking = Checking(described.read_in_its_format(files, tables), described, state, written, outcome)
     _check_rows(checking)
@@ -134,31 +135,13 @@ def _check_parts(parts: Sequence[Part], checking: Checking) -> None:
             part.check(checking)
 
 
-def _same_head(state: ReplayedState, head: str | None) -> list[str]:
-    """The chain ends, or this survey's part of it, as was kept; what the kept hash does not vouch for."""
-    if head is None:
-        return []
-    if len(head) < _LEAST_OF_HEAD:
-        raise BadInput("export-head-too-short", count=len(head), least_of_head=_LEAST_OF_HEAD)
-    if state.head.startswith(head.lower()):
-        return []
-    if state.survey_head.startswith(head.lower()):
-        return ["The head is that of the survey's last event: it vouches for the rows, not for the seal."]
-    raise Damaged("export-head-differs", head=state.head[:16])
-
-
-def _signed(files: Files, told: ReplayedState, survey_id: int, key: str | None) -> tuple[str, str]:
-    """When the end of the chain was signed and with which key. Raises Damaged, BadInput."""
+def _signed(files: Files, told: ReplayedState, survey_id: int) -> tuple[str, str, list[str]]:
+    """When the end of the chain was signed, with which key, and all keys until then. Raises Damaged."""
     document = read_json(files, CHECKPOINT)
-    end = AuditHead(told.count, told.head)
+    end = AuditHead(told.count, told.hashes[-1])
     if (problem := checkpoint_problem(document, survey_chain(survey_id), end)) is not None:
         raise problem
-    if key is not None:
-        if len(key) < _LEAST_OF_HEAD:
-            raise BadInput("export-key-too-short", least=_LEAST_OF_HEAD)
-        if not any(one["key"].startswith(key.lower()) for one in document["keys"]):
-            raise Damaged("export-checkpoint-other-key", key=document["key"][:16])
-    return str(document["at"]), str(document["key"])
+    return str(document["at"]), str(document["key"]), [one["key"] for one in document["keys"]]
 
 
 def _of_key(signing_key: str, key: str | None) -> list[str]:

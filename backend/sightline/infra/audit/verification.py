@@ -16,7 +16,8 @@ from sqlalchemy.orm import Session
 
 from sightline.errors import BadInput, Damaged, SightlineError
 from sightline.infra.audit import trail
-from sightline.infra.audit.checkpoints import CHECKPOINT, SIGN, is_signed
+from sightline.infra.audit.anchors import Anchors
+from sightline.infra.audit.checkpoints import CHECKPOINT, SIGN, are_handed_on, is_signed, known_keys
 from sightline.infra.audit.guards import require_guards
 from sightline.infra.audit.hashing import GENESIS, chain_hash, to_plain_json
 from sightline.infra.audit.merkle import root_of
@@ -48,17 +49,34 @@ class _Problem(SightlineError):
     """The first thing found wrong."""
 
 
-def verify_records(session: Session) -> Verification:
-    """Check the chains and everything that they vouch for, as one state of the database has it."""
+def verify_records(session: Session, anchors: Anchors | None = None) -> Verification:
+    """Check the chains and everything that they vouch for, as one state of the database has it; `anchors`:
+    what was kept elsewhere of these chains.
+    """
     state = _Walk()
     try:
         state.chains(session)
         _anchors(session, state)
         _check_rows(session, state)
         _guards(session)
+        if anchors:
+            _hold(session, state, anchors)
     except _Problem as problem:
         return Verification(False, state.checked, state.head, problem.said)
     return Verification(True, state.checked, state.head, None)
+
+
+def _hold(session: Session, walk: "_Walk", anchors: Anchors) -> None:
+    keys = known_keys(session)
+    known = [one["key"] for one in keys]
+    for checkpoint in walk.checkpoints:
+        if checkpoint["key"] not in known or not are_handed_on(keys, known[-1]):
+            raise _Problem("audit-chains-not-signed", at=checkpoint["at"])
+    try:
+        # also the head of all chains together, as this is told of a database
+        anchors.hold({**walk.hashes, "": [GENESIS, walk.head]}, known, whole=True)
+    except Damaged as damage:
+        raise _Problem(damage.code, **damage.values) from None
 
 
 def _guards(session: Session) -> None:
@@ -68,7 +86,7 @@ def _guards(session: Session) -> None:
         raise _Problem(damage.code, **damage.values) from None
 
 
-def verify_database(url: str, name: str = "This address") -> Verification:
+def verify_database(url: str, name: str = "This address", anchors: Anchors | None = None) -> Verification:
     """The same for a database by its URL, without changing it; `name` is what a refusal calls it.
 
     Raises BadInput for what is not ours or of another version, Damaged by table, DatabaseAway.
@@ -79,7 +97,7 @@ def verify_database(url: str, name: str = "This address") -> Verification:
         with reading(session_factory(engine)) as session:
             _require_version(session)
             require_whole_pages(session.connection())
-            return verify_records(session)
+            return verify_records(session, anchors)
 
 
 def _require_version(session: Session) -> None:

@@ -12,6 +12,7 @@ from sqlalchemy import Connection, inspect
 from sqlalchemy.orm import Session
 
 from sightline.errors import BadInput, Damaged
+from sightline.infra.audit.anchors import Anchors
 from sightline.infra.audit.records import Verification
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.backup.crossing import copy_files_of_sqlite, fill_sqlite
@@ -54,12 +55,16 @@ class ReadBackup:
     audit: Verification | None
 
 
-def check_backup(folder: Path, tell: Tell) -> ReadBackup:
-    """Read a whole backup and change nothing: every file by its hash, and of SQLite the audit chains.
+def check_backup(folder: Path, tell: Tell, anchors: Anchors | None = None) -> ReadBackup:
+    """Read a whole backup and change nothing: every file by its hash, and of SQLite the audit chains, also
+    against what was kept of them elsewhere (`anchors`).
 
-    Raises BadInput for what is no backup, Damaged with the name of what is not whole.
+    Raises BadInput for what is no backup, or one of PostgreSQL with anchors, Damaged with the name of what
+    is not whole.
     """
     manifest = read_manifest(folder)
+    if anchors and manifest.database != "sqlite":
+        raise BadInput("backup-anchors-of-postgresql")
     for _ in whole_media(folder, manifest, lambda share: tell(0.8 * share, "media")):
         pass
     state = _whole_state(folder, manifest, tell, 0.8)
@@ -68,7 +73,7 @@ def check_backup(folder: Path, tell: Tell) -> ReadBackup:
         return ReadBackup(manifest, None)
     with tempfile.TemporaryDirectory(prefix="sightline-check-") as scratch:
         check_room(Path(scratch), (state / DATABASE).stat().st_size)
-        audit = _sqlite_in(state / DATABASE, Path(scratch) / DATABASE, manifest)
+        audit = _sqlite_in(state / DATABASE, Path(scratch) / DATABASE, manifest, anchors)
     tell(1.0, "read")
     return ReadBackup(manifest, audit)
 
@@ -178,7 +183,9 @@ def _named_when_whole(target: Path) -> Iterator[Path]:
             left.unlink()
 
 
-def _sqlite_in(source: Path, target: Path, manifest: Manifest) -> Verification:
+def _sqlite_in(
+    source: Path, target: Path, manifest: Manifest, anchors: Anchors | None = None
+) -> Verification:
     """Copy a SQLite database, migrate it, check its chains; only then does it get its name."""
     with _named_when_whole(target) as waiting:
         copy_whole(source, waiting)
@@ -186,7 +193,7 @@ def _sqlite_in(source: Path, target: Path, manifest: Manifest) -> Verification:
             migrate(engine)
             with reading(session_factory(engine)) as session:
                 require_whole_pages(session.connection())
-                return _verified(session, manifest)
+                return _verified(session, manifest, anchors)
 
 
 def _into_postgresql(
@@ -247,11 +254,11 @@ def _into_sqlite(
     return found
 
 
-def _verified(session: Session, manifest: Manifest) -> Verification:
+def _verified(session: Session, manifest: Manifest, anchors: Anchors | None = None) -> Verification:
     """Raises Damaged where a chain does not hold, or does not end as the manifest says."""
     if heads_of(session) != manifest.heads:
         raise Damaged("backup-chains-end-elsewhere")
-    found = verify_records(session)
+    found = verify_records(session, anchors)
     if not found.ok:
         raise Damaged("backup-chain-broken", problem=str(found.problem))
     return found

@@ -15,7 +15,7 @@ _PIECE_BYTES = 4 << 20
 
 class FollowedLines:
     """Lines of `path` from pair `begin` on, as the file grows; ends when wished, when nothing was added for
-    `idle_s` seconds (None: never), or when the file is replaced or cut.
+    `idle_s` seconds (None: never), or when the file is replaced, cut or written over.
 
     Raises BadInput where there is no such file.
     """
@@ -26,6 +26,9 @@ class FollowedLines:
         self.name, self.notes, self.broken = str(path), list[str](), False
         self._path, self._rows, self._ending = path, rows, ending
         self._at, self._idle_s = 2 * rows * begin, idle_s
+        self._known = dict[
+            int, bytes
+        ]()  # pairs of lines by their place: others there are another recording's
         try:
             self._file = path.open("rb")
         except OSError as error:
@@ -52,10 +55,16 @@ class FollowedLines:
                     )
                     return
                 whole = min(_PIECE_BYTES, there - self._at) // pair * pair
+                data = self._read_bytes(self._at, whole)
+                if self._written_over():
+                    self._break(
+                        f"{self.name} was written over with other lines while it was read; none of them is "
+                        "measured. Start again for the new ones."
+                    )
+                    return
                 if whole:
-                    self._file.seek(self._at)
-                    data = self._file.read(whole)
                     self._at += whole
+                    self._known = {0: self._read_bytes(0, pair), self._at - pair: data[-pair:]}
                     grown = quiet = time.monotonic()
                     yield pairs_of(data, self._rows)
                     continue
@@ -73,6 +82,13 @@ class FollowedLines:
 
     def _size(self) -> int:
         return 0 if self._file.closed else self._file.seek(0, 2)
+
+    def _read_bytes(self, at: int, count: int) -> bytes:
+        """As the file is now, past what Python holds of it."""
+        return os.pread(self._file.fileno(), count, at)
+
+    def _written_over(self) -> bool:
+        return any(self._read_bytes(at, len(pair)) != pair for at, pair in self._known.items())
 
     def _replaced(self) -> bool:
         try:

@@ -42,9 +42,13 @@ class Spool:
         self._slot = 0
         self._words = _encode_description(self._rate, self._dropped)
         self._file = path.open("xb", buffering=0)
-        self._file.write(_directory(rows, 0, self._place()))
-        self._put_words()
-        self._file.truncate(_PIXELS_AT)
+        try:
+            self._file.write(_directory(rows, 0, self._place()))
+            self._put_words()
+            self._file.truncate(_PIXELS_AT)
+        except OSError:
+            self.discard()
+            raise
 
     @property
     def full(self) -> bool:
@@ -74,6 +78,11 @@ class Spool:
 
     def close(self) -> None:
         self._file.close()
+
+    def discard(self) -> None:
+        """Close the file and delete it."""
+        self.close()
+        self.path.unlink()
 
     def _note(self, line: int, count: int) -> None:
         if self._dropped and self._dropped[-1][0] == line:

@@ -8,6 +8,7 @@ vehicles are told ("settled"), but for those that stand for too long ("stand"). 
 import json
 import re
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
@@ -82,7 +83,13 @@ class Journal:
 
     def __init__(self, path: Path, head: dict[str, Any]) -> None:
         self._file = path.open("x", encoding="utf-8", buffering=1)
-        self.write({"format": FORMAT, **head})
+        try:
+            self.write({"format": FORMAT, **head})
+        except OSError:
+            with suppress(OSError):
+                self._file.close()
+            path.unlink()
+            raise
 
     def write(self, said: dict[str, Any]) -> None:
         self._file.write(json.dumps(said) + "\n")

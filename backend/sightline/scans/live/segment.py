@@ -1,6 +1,7 @@
 """One stretch of a live stream: lines in, vehicles out, both cameras' lines kept in a pair of files."""
 
 from collections.abc import Iterator, Sequence
+from contextlib import ExitStack
 from dataclasses import asdict, astuple, replace
 from datetime import datetime, timedelta
 from math import inf
@@ -95,13 +96,18 @@ class Segment:
         self._more = False  # of those that were complete at once, some are yet to be told
         self._before, self.begin = before, begin
         self.paths = spool_paths(folder, facts.number) if folder else None
-        spools = [Spool(path, rows, rig.line_rate_hz) for path in self.paths] if self.paths else [None, None]
-        self.cameras = (Camera(spools[0]), Camera(spools[1]))
         self._follower = Follower(rig, method, self._columns, first_id)
         head = {"stream": facts.stream, "source": facts.source, "rows": rows, "rig": asdict(rig)}
         head |= {"began_at": facts.began_at.isoformat(), "begin": begin, "first_id": first_id}
         head |= {"before": astuple(before)}
-        self.journal = Journal(journal_path(folder, facts.number), head) if folder else None
+        with ExitStack() as made:
+            spools: list[Spool | None] = [None, None]
+            for at, path in enumerate(self.paths or ()):
+                spools[at] = spool = Spool(path, rows, rig.line_rate_hz)
+                made.callback(spool.discard)
+            self.journal = Journal(journal_path(folder, facts.number), head) if folder else None
+            made.pop_all()
+        self.cameras = (Camera(spools[0]), Camera(spools[1]))
 
     def take(self, piece: Piece) -> Iterator[LiveVehicle]:
         """The vehicles that are complete with these lines. A full disk ends the keeping only."""
