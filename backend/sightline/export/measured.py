@@ -120,7 +120,9 @@ def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()
     statistics = {}
     for correction, rounding in wanted:
         chosen = StatisticsOptions(rounding, correction, choices.u_reference_m, choices.own_standards, table)
-        statistics[correction, rounding] = made_of(measured, left_out, filter_, chosen, groupings, {}, {})
+        # tables and report divide the headline's heights alone
+        divided = groupings if correction == "inset" else {}
+        statistics[correction, rounding] = made_of(measured, left_out, filter_, chosen, divided, {}, {})
     scanned = list(scanned_motions(files))
     return PackageStatistics(
         measured.measurement_id,
