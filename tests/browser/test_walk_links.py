@@ -2,8 +2,8 @@
 
 In `make test` from a survey's overview along each of its links, to every screen of the rail, Back and Forward
 of the first; in `make proofs` from the survey list to every link within a page. A page that remembers too
-much or too little of where it was, a focus left behind, a question that fails and a complaint of the browser's
-all end the walk.
+much or too little of where it was, a focus left behind, a question that fails and a complaint of the
+browser's all end the walk.
 """
 
 import re
