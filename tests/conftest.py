@@ -15,6 +15,8 @@ from typing import Any
 
 import pytest
 from hypothesis import settings
+from hypothesis.internal.conjecture import providers
+from hypothesis.internal.constants_ast import Constants
 from sqlalchemy import Engine, create_engine
 from sqlalchemy.orm import Session
 
@@ -110,6 +112,17 @@ def nothing_waits_for_the_disk() -> Iterator[None]:
         patch.setattr(engines, "_prepare_sqlite", unsynced)
         for name in ("fsync", "fdatasync"):
             patch.setattr(os, name, lambda _file: None)
+        yield
+
+
+@pytest.fixture(scope="session", autouse=True)
+def numbers_of_no_source() -> Iterator[None]:
+    """Hypothesis draws numbers that stand in sources too: each worker would parse all that it has loaded, and
+    draw others where it has loaded others. `make proofs` does.
+    """
+    with pytest.MonkeyPatch.context() as patch:
+        if not PROOFS:
+            patch.setattr(providers, "_get_local_constants", Constants)
         yield
 
 

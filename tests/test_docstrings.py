@@ -13,6 +13,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.support.sources import parsed
+
 ROOT = Path(__file__).resolve().parents[1]
 PURE = ROOT / "backend" / "sightline"
 ROOMS = ("adjustment", "detection", "geometry", "linescan", "proposals", "sightdistance", "statistics")
@@ -97,7 +99,7 @@ def test_works_that_are_named_stand_in_the_list_of_sources() -> None:
     listed = (ROOT / "CONVENTIONS.md").read_text(encoding="utf-8").split("\n## Sources\n")[1]
     found = []
     for path in (path for room in ROOMS for path in sorted((PURE / room).rglob("*.py"))):
-        nodes = [node for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, DOCUMENTED)]
+        nodes = [node for node in ast.walk(parsed(path)) if isinstance(node, DOCUMENTED)]
         for author, _, year in AUTHORS.findall(" ".join(map(doc_of, nodes))):
             if not re.search(rf"^- (?:[^\d\n]*\W)?{author}\b[^\d\n]* {year}, ", listed, re.MULTILINE):
                 found.append(f"{path.relative_to(PURE)}: {author} {year}")
@@ -215,7 +217,7 @@ def array_types() -> frozenset[str]:
     """NumPy's own and our names for them, such as `Floats = NDArray[np.float64]` in arrays.py."""
     known = {"NDArray", "ArrayLike", "ndarray"}
     rooms = (path for room in ROOMS for path in (PURE / room).rglob("*.py"))
-    trees = [ast.parse(path.read_text()) for path in (PURE / "arrays.py", *rooms)]
+    trees = [parsed(path) for path in (PURE / "arrays.py", *rooms)]
     given = [node for tree in trees for node in tree.body if isinstance(node, ast.Assign)]
     for _ in range(2):  # a name may stand for a name
         for node in given:
@@ -228,12 +230,12 @@ def array_types() -> frozenset[str]:
 def public_functions(room: str) -> Iterator[tuple[Path, ast.FunctionDef]]:
     """The public functions of a room that take or give arrays."""
     for path in sorted((PURE / room).rglob("*.py")):
-        yield from ((path, one) for one in with_arrays(ast.parse(path.read_text()).body))
+        yield from ((path, one) for one in with_arrays(parsed(path).body))
 
 
 def public_methods(room: str) -> Iterator[tuple[Path, ast.FunctionDef]]:
     for path in sorted((PURE / room).rglob("*.py")):
-        classes = [node for node in ast.parse(path.read_text()).body if isinstance(node, ast.ClassDef)]
+        classes = [node for node in parsed(path).body if isinstance(node, ast.ClassDef)]
         for one in classes:
             if not one.name.startswith("_"):
                 yield from ((path, method) for method in with_arrays(one.body))

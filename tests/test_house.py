@@ -3,13 +3,13 @@
 import ast
 import re
 import subprocess
-from functools import cache
 from pathlib import Path
 from typing import get_args
 
 import pytest
 
 from sightline import enums
+from tests.support.sources import parsed
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -23,11 +23,6 @@ def tracked(*patterns: str) -> list[Path]:
         check=True,
     )
     return [ROOT / name for name in listed.stdout.splitlines() if (ROOT / name).is_file()]
-
-
-@cache
-def parsed(path: Path) -> ast.Module:
-    return ast.parse(path.read_text("utf-8"))
 
 
 @pytest.mark.parametrize("lock", ["requirements.lock", "requirements-dev.lock", "frontend/package-lock.json"])

@@ -27,6 +27,7 @@ from sightline.messages.recognised import COLUMNS, IN_UTC, TOLD, translate_text,
 from sightline.messages.said import Said
 from sightline.results.usual_standards import STANDARDS
 from sightline.statistics.standards import Standard
+from tests.support import sources
 
 PACKAGE = Path(sightline.__file__).parent
 SOURCE = PACKAGE / "messages/en.ftl"
@@ -125,7 +126,7 @@ def complaint(call: ast.Call, known: dict[str, set[str]]) -> str | None:
 # Read when the first test asks: every worker imports this file, one or two run its tests.
 @cache
 def trees() -> dict[Path, ast.Module]:
-    return {path: ast.parse(path.read_text("utf-8")) for path in sorted(PACKAGE.rglob("*.py"))}
+    return {path: sources.parsed(path) for path in sorted(PACKAGE.rglob("*.py"))}
 
 
 @cache

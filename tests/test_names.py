@@ -5,6 +5,8 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
+from tests.support.sources import parsed
+
 PACKAGE = Path(__file__).resolve().parents[1] / "backend" / "sightline"
 
 #: One word that ends so, or one of these, and no verb or noun with it (`held`, `chosen`, `alike`).
@@ -21,7 +23,7 @@ EMPTY = re.compile("_(told|rows|read|text|words|seen|plain|found|same|moved|besi
 
 def functions(path: Path) -> Iterator[tuple[str, bool]]:
     """The names of a file's functions and methods, and whether each stands by itself in the module."""
-    tree = ast.parse(path.read_text())
+    tree = parsed(path)
     for node in ast.walk(tree):
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
             # a route's name is its operation's in the API, which other programs know

@@ -5,6 +5,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TypeGuard
 
+from tests.support.sources import parsed
+
 PACKAGE = Path(__file__).resolve().parents[1] / "backend" / "sightline"
 MOST_LINES = 3
 
@@ -47,7 +49,7 @@ def test_nothing_is_called_one_for_long() -> None:
     long = [
         f"{path.relative_to(PACKAGE)}:{min(lines)} to {max(lines)}"
         for path in sorted(PACKAGE.rglob("*.py"))
-        for lines in things_called_one(ast.parse(path.read_text()))
+        for lines in things_called_one(parsed(path))
         if lines and max(lines) - min(lines) >= MOST_LINES
     ]
     assert not long, "give these a name that says what they are: " + ", ".join(long)

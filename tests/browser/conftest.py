@@ -39,14 +39,14 @@ expect.set_options(timeout=NEVER_MS)
 # name. One makes the demonstration, meanwhile two begin with what needs none. The walks read what it is like
 # before other files have worked in it.
 FIRST_S = {
-    "test_walk_links": 35,
+    "test_walk_links": 30,
     "test_one_figure": 20,
     "test_killed_ingest": 10,
-    "test_languages": 50,
+    "test_languages": 38,
     "test_walk": 25,
     "test_guide": 40,
-    "test_screens": 35,
-    "test_journey": 30,
+    "test_screens": 30,
+    "test_journey": 24,
     "test_scans": 25,
     "test_protocol": 25,
     "test_package_page": 25,

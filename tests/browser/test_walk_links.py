@@ -1,8 +1,9 @@
 """A walk through the app by its links: what a link, Back or Forward shows is what a reload shows.
 
-In `make test` from a survey's overview along each of its links, to every screen of the rail; in `make proofs`
-from the survey list to every link within a page. A page that remembers too much or too little of where it
-was, a focus left behind, a question that fails and a complaint of the browser's all end the walk.
+In `make test` from a survey's overview along each of its links, to every screen of the rail, Back and Forward
+of the first; in `make proofs` from the survey list to every link within a page. A page that remembers too
+much or too little of where it was, a focus left behind, a question that fails and a complaint of the
+browser's all end the walk.
 """
 
 import re
@@ -11,7 +12,18 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import BrowserContext, Page
 
-from .walking import Shown, asked_by, back_from, begin, path_of, shown, there_and_loaded, walking
+from .walking import (
+    Shown,
+    arrived,
+    asked_by,
+    back_from,
+    begin,
+    path_of,
+    reloaded,
+    shown,
+    there_and_loaded,
+    walking,
+)
 
 LINKS = """() => [...document.querySelectorAll("a[href^='/']")]
   .filter((link) => link.checkVisibility() && !link.download && !link.target)
@@ -78,7 +90,12 @@ class Walk:
         for link in dict.fromkeys(self.walker.evaluate(LINKS)):
             if not self.is_to_walk(here, link):
                 continue
-            there = there_and_loaded(self.walker, start, first(self.walker, link), link)
+            follow = first(self.walker, link)
+            if self.whole or len(self.known) == 1:
+                there = there_and_loaded(self.walker, start, follow, link)
+            else:
+                follow()
+                there = reloaded(self.walker, arrived(self.walker, start, twice=True), link)
             assert asked_by(link) <= asked_by(there.address), f"{link} leads to {there.address}"
             if link not in self.known:
                 self.known.add(link)

@@ -185,6 +185,11 @@ def there_and_loaded(page: Page, start: Shown, step: Callable[[], None], name: s
     back_from(page, start, there, name)
     page.go_forward()
     same(page, arrived(page, start), there, f"forward to {name}")
+    return reloaded(page, there, name)
+
+
+def reloaded(page: Page, there: Shown, name: str) -> Shown:
+    """Reload: the same once more."""
     page.reload()
     same(page, shown(page), there, f"reload of {name}")
     return there

@@ -3,6 +3,8 @@
 import ast
 from pathlib import Path
 
+from tests.support.sources import parsed
+
 SOURCE = Path(__file__).parents[2] / "backend" / "sightline"
 ENGLISH = SOURCE / "messages" / "en.ftl"
 
@@ -24,7 +26,7 @@ def _written() -> set[str]:
     """Keys of actions and entities that stand as plain text in a call of the trail, or of what calls it."""
     keys: set[str] = set()
     for path in SOURCE.rglob("*.py"):
-        for node in (one for one in ast.walk(ast.parse(path.read_text())) if isinstance(one, ast.Call)):
+        for node in (one for one in ast.walk(parsed(path)) if isinstance(one, ast.Call)):
             called, said = _name(node.func), list[tuple[str, ast.expr]]()
             if called in ("trail.record", "trail.record_many"):
                 said = list(zip(("action", "entity"), node.args[2:4], strict=True))

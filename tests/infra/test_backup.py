@@ -39,7 +39,7 @@ from sightline.infra.backup.manifest import (
     write_manifest,
 )
 from sightline.infra.backup.restore import check_backup, restore_backup
-from sightline.infra.database.engine import make_engine, migrate, reading, session_factory
+from sightline.infra.database.engine import make_engine, migrate, reading, session_factory, writing
 from sightline.infra.database.types import metadata
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.store import claim_job, get_job
@@ -55,6 +55,7 @@ from sightline.surveys.store import create_survey
 from tests.conftest import SERVER
 from tests.media.test_store import OpenS3, open_s3, s3_endpoint
 from tests.support import samples
+from tests.support.kept import PutBack, Shelf
 from tests.support.waiting import until
 
 pytestmark = pytest.mark.dialect
@@ -94,15 +95,30 @@ def _on_server(statement: str) -> None:
     server.dispose()
 
 
-@pytest.fixture
-def filled(services: Services) -> Services:
-    """An installation with measurements, media and both keys."""
-    with services.writing() as session:
+def _fill(url: str) -> None:
+    """Eight measurements."""
+    engine = make_engine(url)
+    with writing(session_factory(engine)) as session:
         one = samples.sample(session)
         first = samples.measure(session, one)
-    for number in range(2, 9):
-        with services.writing() as session:
+        for number in range(2, 9):
             click(session, samples.KEY.format(number), samples.values(one), first.id)
+    engine.dispose()
+
+
+@pytest.fixture(scope="module")
+def put_back(shelf: Shelf) -> PutBack:
+    return shelf.keep(_fill)[1]
+
+
+@pytest.fixture
+def measured(put_back: PutBack, database_url: str) -> None:
+    put_back(database_url)
+
+
+@pytest.fixture
+def filled(measured: None, services: Services) -> Services:
+    """An installation with measurements, media and both keys."""
     samples.put_bytes(services, b"a video" * 1000, ".mp4")
     samples.put_bytes(services, b"a picture", ".jpg")
     signing_key(services.settings)

@@ -120,7 +120,9 @@ def statistics_of(files: Files) -> PackageStatistics:
     statistics = {}
     for correction, rounding in wanted:
         chosen = StatisticsOptions(rounding, correction, standards=table)
-        statistics[correction, rounding] = made_of(measured, left_out, filter_, chosen, groupings, {}, {})
+        # tables and report divide the headline's heights alone
+        divided = groupings if correction == "inset" else {}
+        statistics[correction, rounding] = made_of(measured, left_out, filter_, chosen, divided, {}, {})
     scanned = list(scanned_motions(files))
     return PackageStatistics(
         measured.measurement_id,

@@ -11,15 +11,16 @@ import numpy as np
 import pytest
 from matplotlib.axes import Axes
 
-from sightline.enums import LengthUnit
+from sightline.enums import LengthUnit, StatisticsTarget
 from sightline.export.report import labels, marks
 from sightline.export.report.canvas import FAINT, FULL, HALF, Drawing, svg
 from sightline.export.report.error_figures import error_figures
 from sightline.export.report.figures import drawings, figures
+from sightline.export.report.height_figures import height_figures
 from sightline.export.report.marks import MAIN
 from sightline.export.report.said import speaking
 from sightline.export.report.units import format_fixed, limit
-from sightline.results.survey_statistics import StatisticsOptions
+from sightline.results.survey_statistics import Statistics, StatisticsOptions, standards_of
 from sightline.statistics.agreement import Trend
 from sightline.statistics.distributions import ecdf, sorted_values
 from sightline.statistics.errors import Interval
@@ -37,6 +38,12 @@ EYES = ("taillight", "headlight", "roof")  # what a survey of eyes alone lacks
 @pytest.fixture(scope="module")
 def drawn() -> dict[str, Drawing | str]:
     return drawings(statistics(80))
+
+
+def figures_of_all(result: Statistics, name: StatisticsTarget) -> dict[str, Drawing | str]:
+    """A target's figures but those by group, on which no standard is named."""
+    target = replace(result.targets[name], groups={})
+    return height_figures(name, target, standards_of(result.standards, name), "m")
 
 
 def test_every_figure_of_the_page_is_drawn(drawn: dict[str, Drawing | str]) -> None:
@@ -119,7 +126,9 @@ def test_a_band_is_drawn_for_thirty_vehicles_and_more_and_the_caption_says_which
 def test_standards_that_a_figure_does_not_reach_are_counted_below_it() -> None:
     low = Standard("Far below", "object_stopping", 0.1, "me")
     before, after = (
-        drawings(statistics(9, choices=StatisticsOptions(own_standards=own)))["taillight-ecdf"]
+        figures_of_all(statistics(9, choices=StatisticsOptions(own_standards=own)), "taillight")[
+            "taillight-ecdf"
+        ]
         for own in ((), (low,))
     )
     assert isinstance(before, Drawing) and isinstance(after, Drawing)
@@ -206,8 +215,9 @@ def test_names_of_standards_stand_on_no_curve_and_on_no_rule(
     limits_drawn = marks.limits
     monkeypatch.setattr(marks, "limits", draw)
     with speaking(language):
-        drawings(statistics(9), "m")
-        drawings(statistics(400), "m")
+        for result in (statistics(9), statistics(400)):
+            for name in result.targets:
+                figures_of_all(result, name)
     assert len(drawn) > 10
 
 
