@@ -38,7 +38,7 @@ _WIDEST, _IN_WINDOW = 0.5, 2.0  # scores, heights of a site about a percentile, 
 _INSIDE = (1e-15, 1.0 - 1e-15)  # ranks that have a score
 _WINDOW = 0.10  # of all heights, on either side of a percentile: those that say which groups it rests on
 _LEAST_IN_WINDOW = 25
-_UNLIKE = 2.0 / 3.0  # of the spread of vehicles, by which sites differ: beyond it, few hold what they say
+_UNLIKE = 0.55  # of the spread on the narrower side, by which sites differ: few hold what they say then
 _LARGEST = 30.0  # of the logarithm of a variance's ratio, beyond which numbers end
 _NODES = 20_000  # at which smooth functions of more heights are computed
 
@@ -216,10 +216,12 @@ class TotalUncertainty:
         """Whether sites differ so much that intervals of percentiles far from the median hold the truth less
         often than they say (docs/proofs.md, "Sites that differ as their vehicles do").
         """
-        apart = self._height_m - self._mean(self._height_m)
-        between_m = self._drawn.between(apart)
-        within_m2 = self._mean(np.square(apart)) - between_m**2
-        return self.sites is not None and between_m > _UNLIKE * float(np.sqrt(max(within_m2, 0.0)))
+        ranks = [0.05, 0.4, 0.5, 0.6, 0.95]
+        low, below, median, above, high = np.interp(ranks, self._middle, self._height_m)
+        beside_median = np.asarray(0.5 - (self._height_m <= median), dtype=np.float64)
+        between_m = self._drawn.between(beside_median * (above - below) / 0.2)
+        spread_m = min(median - low, high - median) / 1.645  # of a normal distribution, its SD
+        return self.sites is not None and between_m > _UNLIKE * float(spread_m)
 
     def percentile(self, percent: float) -> TotalPercentile:
         """THE percentile, 0 < percent < 100, metres: of the true heights, with its total 95 % interval.

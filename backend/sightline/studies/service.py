@@ -153,7 +153,7 @@ def _put_target(
     study.targets.append(_target_figures(target, of, figures, places))
     if figures is not None:
         if figures.sites_are_unlike:
-            notes.append(Said("study-sites-unlike", target=target))
+            study.notes.append(Said("study-sites-unlike", target=target))
         if asked.curves:
             points = [figures.percentile(percent) for percent in _CURVE]
             supported = [one for one in points if one.value is not None]
