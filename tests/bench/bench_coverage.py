@@ -362,8 +362,8 @@ How often the same intervals hold percentiles where sites differ more and more, 
 of how far sites lie apart, and their highest heights are those of one of them: from some half of the
 vehicles' spread on, that on the narrower side of a skewed fleet, intervals far from the median hold less
 often than they say, which is said beside them (`TotalUncertainty.sites_are_unlike`). To leave such intervals
-out would not do: where five unlike sites lie near each other by chance, their intervals are the worst. Made by
-`python tests/bench/bench_coverage.py SAMPLES --apart --write`.
+out would not do: where five unlike sites lie near each other by chance, their intervals are the worst. Made
+by `python tests/bench/bench_coverage.py SAMPLES --apart --write`.
 """.strip("\n").splitlines()
 
 
