@@ -7,10 +7,13 @@ differences: strip 2's own gradients are in it, where strip 1's hold the noise b
 cell's own gain and offset.
 
 The sum over a cluster of neighbouring pixels, which share what matters (a reflection, a window's edge), is
-one observation (Liang and Zeger 1986). Clusters are few and those at the ends weigh most, so each is left
-out in turn (jackknife, "CR3": MacKinnon and White 1985, Bell and McCaffrey 2002), and the result is widened
-until 1.96 times it covers what Student's t covers. Of t's degrees of freedom there are as many as clusters of
-equal information would be (Kish 1965): of a white van's fifteen, four may hold nearly all that is to be seen.
+one observation (Liang and Zeger 1986). Clusters are few, and what one of them errs by the fit takes in part
+for motion. Let K be a cluster's part of A, scaled so that A is 1, and errors go with it, cov S = K. What the
+fit leaves of S is S - K sum S, of covariance K - K^2, so (1 - K)^-1/2 times that has K again, and squares
+summed over the clusters are right in the mean ("CR2", Bell and McCaffrey 2002). Each cluster left out in turn
+("CR3") has (1 - K)^-1: u is a fifth too large for drawn cars, of whom one cluster may hold half. The sum of
+squares scatters, so u is widened until 1.96 times it covers what Student's t covers, of as many degrees of
+freedom as a Wishart matrix that scatters alike (Pustejovsky and Tipton 2018).
 """
 
 from dataclasses import dataclass
@@ -25,6 +28,8 @@ from sightline.coverage import COVERAGE_95
 from sightline.linescan.masks import Points, Sheet, shift_sheet
 from sightline.linescan.registration import Clock, Fit, Prior, apply_step, most_step, scores
 
+# a cluster that holds more of what is seen leaves next to nothing of its error
+MOST_HELD = 0.98
 # about as wide as neighbouring pixels' noise, which is not their own, makes u
 STEPS = 4.0
 
@@ -77,9 +82,8 @@ def covariance(slopes: Slopes, cluster: NDArray[np.intp], fit: Fit, prior: Prior
     """Covariance (free, free) of the unknowns of `slopes`.
 
     `cluster` (n,): numbers of the pixels' clusters. With a prior of the row shift, that is one more
-    observation. Clusters: Liang and Zeger 1986; psi': Huber 1981, ch. 6; each cluster left out in turn:
-    MacKinnon and White 1985, Bell and McCaffrey 2002; then widened as Student's t is wider, for the effective
-    number of clusters (Kish 1965).
+    observation. Clusters: Liang and Zeger 1986; psi': Huber 1981, ch. 6; what the fit takes of a cluster's
+    error given back: Bell and McCaffrey 2002; widened as Student's t is wider: Pustejovsky and Tipton 2018.
     """
     free, step = len(slopes.step), slopes.step
     count = int(cluster.max()) + 1
@@ -96,19 +100,36 @@ def covariance(slopes: Slopes, cluster: NDArray[np.intp], fit: Fit, prior: Prior
         trust = (fit.scale_dn / max(prior.u_shift, 1e-3) * step[2]) ** 2
         whole[2, 2] += trust
         known[2, 2] = (trust * prior.u_shift / step[2]) ** 2
-    apart = _solved(whole - normal, score[:, :, None])[:, :, 0]
+    power, axes = np.linalg.eigh((whole + whole.T) / 2)
+    size = np.sqrt(np.maximum(power, 1e-12 * max(power[-1], 1e-12)))
+    to_one = axes / size
+    part, along = np.linalg.eigh(to_one.T @ (normal + normal.transpose(0, 2, 1)) @ to_one / 2)
+    part = np.clip(part, 0.0, MOST_HELD)
+    given_back = (along / np.sqrt(1 - part)[:, None]) @ along.transpose(0, 2, 1)
     inverse = _solved(whole, np.eye(free))
-    groups = len(score)
-    seen = widening(_effective(normal)) ** 2 * (groups - 1) / groups * apart.T @ apart
+    error = np.einsum("cij,cj->ci", given_back, score @ to_one) @ (inverse @ (axes * size)).T
+    seen = widening(_freedom(part, along)) ** 2 * error.T @ error
     return np.asarray((seen + inverse @ known @ inverse.T) * np.outer(step, step))
 
 
-def _effective(normal: Floats) -> float:
-    """How many clusters of equal information are worth those of normal matrices (clusters, free, free); at
-    least 1, in steps of a tenth.
+def _freedom(part: Floats, along: Floats) -> float:
+    """Degrees of freedom, at least 1, in steps of a tenth, of clusters whose K has these parts along these
+    axes, (clusters, free) and (clusters, free, free).
+
+    A Wishart matrix of mean 1 and size n has n (n + 1) over its elements' summed variance. Clusters c and d,
+    given back what the fit took, have the covariance K_c where they are one and else -B_c B_d, with
+    B = (1 - K)^-1/2 K; all pairs' sums are those of T = sum B[ij] B[kl].
     """
-    told = np.maximum(np.trace(normal, axis1=1, axis2=2), 0.0)
-    return max(round(float(told.sum() ** 2 / max(float((told**2).sum()), 1e-12)), 1), 1.0)
+
+    def own(of: Floats) -> float:
+        return float((of.sum(axis=1) ** 2 + (of**2).sum(axis=1)).sum())
+
+    taken = (along * (part / np.sqrt(1 - part))[:, None]) @ along.transpose(0, 2, 1)
+    pairs = np.einsum("cij,ckl->ijkl", taken, taken)
+    shared = float((pairs**2).sum() + np.einsum("ijkl,jkli->", pairs, pairs))
+    variance = shared - own(part**2 / (1 - part)) + own(part)
+    told = float(part.sum())
+    return max(round(told * (told + 1) / max(variance, 1e-12), 1), 1.0)
 
 
 def _solved(normal: Floats, right: Floats) -> Floats:
