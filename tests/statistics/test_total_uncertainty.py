@@ -325,7 +325,7 @@ def test_sites_that_differ_by_more_than_their_vehicles_leave_a_percentile_uncert
 
 def test_sites_that_differ_as_much_as_their_vehicles_are_said() -> None:
     """P95 of five such sites is held 0.8 times: docs/proofs.md."""
-    said = "differ as much as their vehicles"
+    said = "differ by more than half of what their vehicles do"
     for between_m, unlike in ((0.0, False), (0.02, False), (0.1, True)):
         alike = sample(600, 5, sites=5)
         assert alike.site is not None

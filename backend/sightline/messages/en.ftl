@@ -3334,7 +3334,7 @@ stat-too-few-of-spread = { $count ->
    *[other] { NUMBER($count) } vehicles are too few for an interval of MAE, RMSE and SD; { $needed } are needed
 }
 stat-holding-sites = { $parts }; they apply to roads like those of these sites
-stat-holding-unlike-sites = { $parts }; they apply to roads like those of these sites, which differ as much as their vehicles: intervals of percentiles far from the median hold the truth less often than 95 % then; measure at more sites, or compare sites of one kind
+stat-holding-unlike-sites = { $parts }; they apply to roads like those of these sites, which differ by more than half of what their vehicles do: intervals of percentiles far from the median hold the truth less often than 95 % then; measure at more sites, or compare sites of one kind
 stat-holding-place = { $parts }; they apply to the site of the survey only
 stat-errors-of = { $heights ->
     [inset] Heights corrected by each measurement’s inset
@@ -4113,7 +4113,7 @@ study-versions = Packages come from { NUMBER($count) } versions with identical t
 study-one-site = One site: the intervals apply to that site only.
 study-outside-sample = { NUMBER($count) } accepted heights are of vehicles outside their survey’s sample; they do not count.
 study-without-class = { NUMBER($count) } heights of { $target } have no class of the fleet; they do not count.
-study-sites-unlike = { $target }: sites differ as much as their vehicles. Intervals of percentiles far from the median hold the truth less often than 95 % then; measure at more sites, or put sites of one kind into a stratum.
+study-sites-unlike = { $target }: sites differ by more than half of what their vehicles do. Intervals of percentiles far from the median hold the truth less often than 95 % then; measure at more sites, or put sites of one kind into a stratum.
 study-all-simulated = Simulated: no value describes real roads.
 study-some-simulated = { NUMBER($count) } of { NUMBER($surveys) } surveys are simulated: no value of this study describes real roads.
 study-heights-needed = at least { $least } heights are needed

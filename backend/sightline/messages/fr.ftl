@@ -3336,7 +3336,7 @@ stat-too-few-of-spread = { $count ->
    *[other] { NUMBER($count) } véhicules ne suffisent pas pour un intervalle de MAE, RMSE et écart-type ; il en faut { $needed }
 }
 stat-holding-sites = { $parts } ; ils valent pour des routes comme celles de ces sites
-stat-holding-unlike-sites = { $parts } ; ils valent pour des routes comme celles de ces sites, qui diffèrent autant que leurs véhicules : les intervalles de centiles loin de la médiane contiennent alors la vraie valeur moins souvent que 95 % ; mesurez à plus de sites, ou comparez des sites d’une même sorte
+stat-holding-unlike-sites = { $parts } ; ils valent pour des routes comme celles de ces sites, qui diffèrent de plus de la moitié de ce dont diffèrent leurs véhicules : les intervalles de centiles loin de la médiane contiennent alors la vraie valeur dans moins de 95 % des cas ; mesurez à plus de sites, ou comparez des sites d’une même sorte
 stat-holding-place = { $parts } ; ils valent pour le seul site du relevé
 stat-errors-of = { $heights ->
     [inset] Hauteurs corrigées du retrait de chaque mesure
@@ -4109,7 +4109,7 @@ study-versions = Les archives viennent de { NUMBER($count) } versions aux tables
 study-one-site = Un seul site : les intervalles ne valent que pour lui.
 study-outside-sample = { NUMBER($count) } hauteurs validées sont de véhicules hors de l’échantillon de leur relevé ; elles ne comptent pas.
 study-without-class = { NUMBER($count) } hauteurs ({ $target }) n’ont pas de classe du parc ; elles ne comptent pas.
-study-sites-unlike = { $target } : les sites diffèrent autant que leurs véhicules. Les intervalles de centiles loin de la médiane contiennent alors la vraie valeur moins souvent que 95 % ; mesurez à plus de sites, ou réunissez en une strate les sites d’une même sorte.
+study-sites-unlike = { $target } : les sites diffèrent de plus de la moitié de ce dont diffèrent leurs véhicules. Les intervalles de centiles loin de la médiane contiennent alors la vraie valeur dans moins de 95 % des cas ; mesurez à plus de sites, ou réunissez en une strate les sites d’une même sorte.
 study-all-simulated = Simulée : aucune valeur ne décrit des routes réelles.
 study-some-simulated = { NUMBER($count) } relevés sur { NUMBER($surveys) } sont simulés : aucun chiffre de l’étude ne dit rien de routes réelles.
 study-heights-needed = ses chiffres demandent au moins { $least } hauteurs
