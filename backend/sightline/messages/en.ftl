@@ -6972,7 +6972,7 @@ rig-baseline-off = { NUMBER($count) } { $of ->
 rig-baseline-agrees = { NUMBER($count) } { $of ->
     [length] lengths
    *[wheelbase] wheelbases
- } of known vehicles are off by { NUMBER($off_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % on average, within what the entered baseline allows (U95 = { NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %).
+ } of known vehicles are off by { NUMBER($off_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % on average, within the U95 of this mean ({ NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %).
 scan-flow-no-speed = No vehicle here has an accepted speed.
 scan-flow-rear-unseen = The occupancy is not known: the rear of a vehicle that stood here was not seen.
 scan-flow-no-u-occupancy = The uncertainty of the occupancy is not known: { NUMBER($count) } of the vehicles here have no motion.

@@ -7033,7 +7033,7 @@ rig-baseline-off = D’après { NUMBER($count) } { $of ->
 rig-baseline-agrees = { NUMBER($count) } { $of ->
     [length] longueurs
    *[wheelbase] empattements
- } de véhicules connus s’écartent en moyenne de { NUMBER($off_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % de leur valeur, ce que permet la base saisie (U95 = { NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %).
+ } de véhicules connus s’écartent en moyenne de { NUMBER($off_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % de leur valeur, dans l’U95 de cette moyenne ({ NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %).
 scan-flow-no-speed = Aucun véhicule n’a ici de vitesse validée.
 scan-flow-rear-unseen = Le taux d’occupation n’est pas connu : l’arrière d’un véhicule arrêté ici n’a pas été vu.
 scan-flow-no-u-occupancy = L’incertitude du taux d’occupation n’est pas connue : { NUMBER($count) } des véhicules n’ont pas de mouvement.
