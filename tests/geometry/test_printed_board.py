@@ -86,9 +86,9 @@ def test_all_ink_lies_on_the_sheet_or_the_size_that_is_needed_is_said(
 
 
 UNPRINTABLE = [
-    ("B7", "Paper 'B7' is not known"),
-    ("12x", "not known"),
-    ("119x300", "not known"),  # no room for the bar
+    ("B7", "Paper 'B7' cannot be used"),
+    ("12x", "cannot be used"),
+    ("119x300", "each 120 to 5000"),  # no room for the bar
     ("A4", "not fit on A4"),
     (None, "larger than A0"),
 ]

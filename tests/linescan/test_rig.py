@@ -11,7 +11,7 @@ from sightline.errors import BadInput
 from sightline.linescan.finding import STOPPED
 from sightline.linescan.gaps import gaps
 from sightline.linescan.parts import Crossings, Lane, Motion, Rig
-from sightline.linescan.rig import baseline_ratio, gain, misalignment, require_rig, wheelbase
+from sightline.linescan.rig import RigEstimate, baseline_ratio, gain, misalignment, require_rig, wheelbase
 
 RIG = Rig(0.593, 4882.8)
 
@@ -49,11 +49,22 @@ def test_known_lengths_check_the_baseline() -> None:
     rng = np.random.default_rng(6)
     truth = rng.uniform(2.4, 3.0, 12)
     right = baseline_ratio("wheelbase", truth + rng.normal(0, 0.01, 12), [0.01] * 12, truth, [0.002] * 12)
-    assert right.warning is None and "12 wheelbases of known vehicles measure 0.06 % off" in str(right.agrees)
+    said = "of known vehicles are off by 0.06 % on average, within the U95 of this mean (0.22 %)"
+    assert right.warning is None and f"12 wheelbases {said}" in str(right.agrees)
     assert right.value == pytest.approx(1, abs=0.004)
     long = baseline_ratio("length", 1.01 * truth + rng.normal(0, 0.01, 12), [0.01] * 12, truth, [0.002] * 12)
     assert "longer" in str(long.warning) and long.value == pytest.approx(1.01, abs=0.004)
     assert "too few" in str(baseline_ratio("wheelbase", [2.6], [0.01], [2.6], [0.01]).reason)
+
+
+def test_a_baseline_that_is_said_to_agree_is_off_by_its_u95_at_most() -> None:
+    """u = 1 % each, of nine 0.333 %: U95 is 0.653 %, twice u 0.667 %."""
+
+    def found(off: float) -> RigEstimate:
+        return baseline_ratio("wheelbase", [2.5 * (1 + off)] * 9, [0.025] * 9, [2.5] * 9, [0.0] * 9)
+
+    assert found(0.0065).warning is None and found(0.0065).agrees is not None
+    assert found(0.0066).agrees is None and "longer" in str(found(0.0066).warning)
 
 
 def test_a_wheelbase_is_what_the_motion_covers_between_the_hubs() -> None:

@@ -34,6 +34,15 @@ def test_trend_is_scipys_and_its_band_holds() -> None:
     assert "at least 4" in str(trend([1.0], [0.0])) and "same" in str(trend([1.0] * 9, np.arange(9.0)))
 
 
+def test_errors_of_one_size_either_way_are_not_said_to_be_the_same() -> None:
+    reference = np.linspace(1.4, 1.6, 20)
+    measured = reference + 0.01 * (-1.0) ** np.arange(20)
+    roofs = Roofs(measured, measured, reference, np.full(20, U_TRUTH), np.array(["daytime"] * 20))
+    found = errors_of(roofs, "inset", "none")
+    assert not isinstance(found.trend, Said) and not isinstance(found.bland_altman, Said)
+    assert str(found.absolute_trend) == "All errors are of the same size, so there is no trend."
+
+
 def test_limits_of_agreement() -> None:
     error = np.random.default_rng(3).normal(0.01, 0.02, 200)
     found = bland_altman(error)

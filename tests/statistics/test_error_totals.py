@@ -112,6 +112,19 @@ def test_how_groups_are_numbered_and_rows_are_ordered_changes_nothing() -> None:
     assert seen[1] == pytest.approx(seen[0], rel=1e-9)
 
 
+@pytest.mark.parametrize("of_third", [0, 2], ids=["one_inset_holds_two_poses", "an_inset_each"])
+def test_poses_of_equal_errors_may_be_numbered_either_way(of_third: int) -> None:
+    """Two poses whose errors are alike, with an inset each; the third moves with one, or none."""
+    error = np.random.default_rng(5).normal(0.0, 0.01, 20)
+    errors, pose = np.concatenate([error, error, 1.5 * error + 0.004]), np.repeat([0, 1, 2], 20)
+    inset = SharedErrors(np.repeat([0, 1, of_third], 20), np.full(60, 0.006))
+    seen = []
+    for numbered in ([0, 1, 2], [1, 0, 2]):
+        totals = ErrorTotals(errors, (SharedErrors(np.array(numbered)[pose], np.full(60, 0.008)), inset))
+        seen.append([*totals.mae(), *totals.mse(), *totals.sd(), *totals.share_within(0.01)])
+    assert seen[1] == pytest.approx(seen[0], rel=1e-9)
+
+
 def test_rows_that_share_nothing_are_as_if_no_others_did() -> None:
     """Low light has a pose that is told, daytime has none."""
     rng = np.random.default_rng(4)

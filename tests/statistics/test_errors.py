@@ -154,7 +154,10 @@ def test_equal_errors_have_no_spread_no_interval_and_no_correlation(
     spread = ("pearson_error_vs_height", "pearson_abs_error_vs_height", "skewness")
     assert [group.figures[name] for name in spread] == [None, None, None]
     assert {group.ci95[name] for name in FIGURES} == {None}
+    assert str(group.reason) == "all errors are the same, so bias, MAE, RMSE and SD have no interval"
+    assert set(group.holds) == {name for name, interval in group.ci95.items() if interval}
     error, rounded = signed_errors(measured, reference, rounding)
+    assert error_group(error, rounded, names=FIGURES).words is None
     for found in (reference_part(error, rounded), trend(rounded, error), bland_altman(error)):
         assert isinstance(found, Said)
 

@@ -27,7 +27,8 @@ _EDGE_M = 0.010  # what printers leave white
 _EDGE_SQUARES = 0.4  # white about the board, at least
 _CAPTION_M = 0.015
 _BAR_M = 0.1
-_LEAST_MM = 120  # of a sheet's sides: the bar and what printers leave white
+# Of a sheet's sides; the least has room for the bar and what printers leave white.
+_LEAST_MM, _MOST_MM = 120, 5000
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,9 +94,17 @@ def _size_of(paper: str) -> tuple[float, float]:
     if paper.strip().lower() in known:
         return known[paper.strip().lower()]
     sides = paper.lower().split("x")
-    if len(sides) == 2 and all(side.strip().isdigit() and _LEAST_MM <= int(side) <= 5000 for side in sides):
+    if len(sides) == 2 and all(
+        side.strip().isdigit() and _LEAST_MM <= int(side) <= _MOST_MM for side in sides
+    ):
         return 0.001 * int(sides[0]), 0.001 * int(sides[1])
-    raise BadInput("geometry-paper-not-known", paper=repr(paper), papers=", ".join(PAPERS))
+    raise BadInput(
+        "geometry-paper-not-known",
+        paper=repr(paper),
+        papers=", ".join(PAPERS),
+        least_mm=_LEAST_MM,
+        most_mm=_MOST_MM,
+    )
 
 
 def _ink(board: Board) -> tuple[Floats, Floats]:

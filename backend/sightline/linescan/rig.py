@@ -278,8 +278,8 @@ def baseline_ratio(
     The uncertainties are those of single vehicles (boundaries, fit), without the baseline's. Weights 1 / u^2
     of the ratio, u = hypot(u_measured, ratio u_true) / true (JCGM 100:2008, 5.1.2); where vehicles scatter by
     more than that, the mean's u is widened by Birge's ratio (Birge 1932). Too few vehicles give a
-    reason. A warning where the ratio is off 1 by more than twice its uncertainty; whole lengths carry
-    shadows, wheelbases do not.
+    reason. A warning where the ratio is off 1 by more than its U95; whole lengths carry shadows, wheelbases
+    do not.
     """
     values, u_values, truth, u_truth = (
         np.atleast_1d(np.asarray(one, dtype=np.float64))
@@ -296,9 +296,10 @@ def baseline_ratio(
     excess = max(1.0, float(np.sum(weights * (ratios - mean) ** 2) / (n - 1)))
     u = sqrt(excess / float(np.sum(weights)))
     spread = float(np.std(ratios, ddof=1))
-    if abs(mean - 1) <= 2 * u:
-        off, U95 = (round(100 * share, 2) for share in (mean - 1, expanded(u)))
-        agrees = Said("rig-baseline-agrees", count=n, of=of, off_percent=off, U95_percent=U95)
+    U95 = expanded(u)
+    if abs(mean - 1) <= U95:
+        off_percent, U95_percent = (round(100 * share, 2) for share in (mean - 1, U95))
+        agrees = Said("rig-baseline-agrees", count=n, of=of, off_percent=off_percent, U95_percent=U95_percent)
         return RigEstimate(mean, u, spread, n, agrees=agrees)
     warning = Said(
         "rig-baseline-off",

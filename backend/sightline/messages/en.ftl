@@ -3286,6 +3286,8 @@ stat-heights-alike = All heights are the same, so there is no trend.
 stat-limits-need = Limits of agreement need at least { $least } vehicles; { stat-there-are }.
 stat-variance-shares-need = Shares of the variance need at least { $least } vehicles; { stat-there-are }.
 stat-errors-alike = All errors are the same; nothing can be said of their spread.
+stat-errors-of-one-size = All errors are of the same size, so there is no trend.
+stat-errors-without-interval = all errors are the same, so bias, MAE, RMSE and SD have no interval
 stat-reference-explains-all = The reference heights’ own uncertainty explains all of the errors’ variance: nothing remains for the measurement.
 stat-reference-explains = The reference heights’ own uncertainty explains { $share } % of the errors’ variance; { SMALL($camera_sd_m, digits: 0) } remain for the measurement.
 stat-shifted = The mean signed error of { NUMBER($count) } vehicles of known height, { SMALL($mean_m, digits: 1) }, was subtracted from every height (as in Dupuis et al.).
@@ -6848,7 +6850,7 @@ print-board-title-charuco = ChArUco board: { $columns } × { $rows } inner corne
 print-board-check = Print on { $paper } at actual size (100 %), not fitted to the page. Then measure the bar above: it is { $bar_mm } mm long. If the print differs, measure a whole row of squares and enter the printed size of one square.
 geometry-board-over-paper = The board needs a sheet of { $width_mm } x { $height_mm } mm including its white margin, which is larger than A0; choose squares of at most { $square_mm } mm, or name a roll of paper, such as 1200x900.
 geometry-board-off-paper = The board needs a sheet of { $width_mm } x { $height_mm } mm including its white margin and does not fit on { $paper }; choose a larger paper, or squares of at most { $square_mm } mm.
-geometry-paper-not-known = Paper { $paper } is not known; use one of { $papers }, or its width and height in mm, such as 841x1500.
+geometry-paper-not-known = Paper { $paper } cannot be used; give one of { $papers }, or its width and height in mm, each { $least_mm } to { $most_mm }, such as 841x1500.
 
 # Reference values of scanned vehicles, said or imported
 reference-value-cannot-be = A reference { $quantity } of { $value } { $unit } is out of range; give a value above { $least } and up to { $most } { $unit }.
@@ -6941,6 +6943,7 @@ scan-wheelbase-at-rest = By its fitted motion the vehicle was at rest at one of 
 scan-run-none-found = No vehicle was found; check the strips, and that time runs along the chosen axis.
 scan-run-swapped = { NUMBER($reversed) } of { NUMBER($found) } vehicles reached the second strip first; if traffic does not run that way here, the strips are swapped.
 scan-run-alone = { $alone } objects passed only one camera: check that both show the same lane, and check baseline and line rate.
+scan-run-stood-in-front = A vehicle stopped in front of another that stood; it may be missing, and so may vehicles that passed meanwhile.
 scan-run-light-changed = The brightness changed suddenly { $count ->
     [one] once
    *[other] { NUMBER($count) } times
@@ -6972,7 +6975,7 @@ rig-baseline-off = { NUMBER($count) } { $of ->
 rig-baseline-agrees = { NUMBER($count) } { $of ->
     [length] lengths
    *[wheelbase] wheelbases
- } of known vehicles are off by { NUMBER($off_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % on average, within what the entered baseline allows (U95 = { NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %).
+ } of known vehicles are off by { NUMBER($off_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % on average, within the U95 of this mean ({ NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %).
 scan-flow-no-speed = No vehicle here has an accepted speed.
 scan-flow-rear-unseen = The occupancy is not known: the rear of a vehicle that stood here was not seen.
 scan-flow-no-u-occupancy = The uncertainty of the occupancy is not known: { NUMBER($count) } of the vehicles here have no motion.

@@ -3289,6 +3289,8 @@ stat-heights-alike = Toutes les hauteurs sont égales ; il n’y a pas de tend
 stat-limits-need = Des limites de concordance demandent au moins { $least } véhicules ; { stat-there-are }.
 stat-variance-shares-need = Des parts de la variance demandent au moins { $least } véhicules ; { stat-there-are }.
 stat-errors-alike = Toutes les erreurs sont égales ; rien ne peut être dit de leur dispersion.
+stat-errors-of-one-size = Toutes les erreurs sont de même grandeur ; il n’y a pas de tendance.
+stat-errors-without-interval = toutes les erreurs sont égales ; biais, MAE, RMSE et écart-type n’ont pas d’intervalle
 stat-reference-explains-all = L’incertitude des hauteurs de référence explique toute la variance des erreurs : il ne reste rien pour la mesure.
 stat-reference-explains = L’incertitude des hauteurs de référence explique { $share } % de la variance des erreurs ; { SMALL($camera_sd_m, digits: 0) } restent pour la mesure.
 stat-shifted = L’erreur signée moyenne de { NUMBER($count) } véhicules de hauteur connue, { SMALL($mean_m, digits: 1) }, a été retranchée de chaque hauteur (comme dans Dupuis et al.).
@@ -6916,7 +6918,7 @@ print-board-title-charuco = Mire ChArUco : { $columns } × { $rows } coins int�
 print-board-check = Imprimez sur { $paper } à taille réelle (100 %), sans ajustement à la page. Mesurez ensuite la barre ci-dessus : elle fait { $bar_mm } mm de long. Si l’impression diffère, mesurez une rangée entière de cases et indiquez la taille réelle d’une case.
 geometry-board-over-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm marge blanche comprise, plus grande que A0 ; choisissez des cases d’au plus { $square_mm } mm, ou nommez un rouleau de papier, par exemple 1200x900.
 geometry-board-off-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm marge blanche comprise et ne tient pas sur { $paper } ; choisissez un papier plus grand, ou des cases d’au plus { $square_mm } mm.
-geometry-paper-not-known = Il n’y a pas de papier { $paper } ; utilisez l’un de { $papers }, ou sa largeur et sa hauteur en mm, par exemple 841x1500.
+geometry-paper-not-known = Le papier { $paper } ne peut pas être utilisé ; indiquez l’un de { $papers }, ou sa largeur et sa hauteur en mm, de { $least_mm } à { $most_mm } chacune, par exemple 841x1500.
 reference-value-cannot-be = Une référence ({ $quantity }) de { $value } { $unit } est hors plage ; indiquez une valeur supérieure à { $least } et d’au plus { $most } { $unit }.
 reference-u-cannot-be = Une incertitude de { $u } { $unit } pour { $quantity } de { $value } { $unit } est hors plage ; indiquez une incertitude-type supérieure à 0 et non supérieure à la valeur elle-même.
 reference-device-too-long = Le nom de l’instrument dépasse { $most } caractères ; raccourcissez-le.
@@ -7008,6 +7010,7 @@ scan-wheelbase-at-rest = D’après son mouvement ajusté, le véhicule était a
 scan-run-none-found = Aucun véhicule n’a été trouvé ; contrôlez les bandes, et que le temps court selon l’axe choisi.
 scan-run-swapped = { NUMBER($reversed) } véhicules sur { NUMBER($found) } ont atteint d’abord la deuxième bande ; si le trafic ne va pas dans ce sens ici, les bandes sont inversées.
 scan-run-alone = { $alone } objets ne sont passés que devant une caméra : vérifiez que les deux montrent la même voie, et contrôlez base et cadence de lignes.
+scan-run-stood-in-front = Un véhicule s’est arrêté devant un autre à l’arrêt ; il peut manquer, ainsi que des véhicules passés pendant ce temps.
 scan-run-light-changed = La luminosité a varié brusquement ({ NUMBER($count) } fois) ; les véhicules passés à ce moment peuvent manquer.
 scan-run-camera-moved = Une caméra a bougé ({ NUMBER($count) } fois) : depuis, la chaussée est quelques rangées plus haut ou plus bas ; fixez la caméra solidement.
 scan-run-road-unsteady = La chaussée vide de la caméra { $camera } varie de { $percent } % d’une ligne à l’autre : neige, pluie, ou véhicule au début ; enregistrez d’abord la chaussée vide.
@@ -7033,7 +7036,7 @@ rig-baseline-off = D’après { NUMBER($count) } { $of ->
 rig-baseline-agrees = { NUMBER($count) } { $of ->
     [length] longueurs
    *[wheelbase] empattements
- } de véhicules connus s’écartent en moyenne de { NUMBER($off_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % de leur valeur, ce que permet la base saisie (U95 = { NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %).
+ } de véhicules connus s’écartent en moyenne de { NUMBER($off_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % de leur valeur, dans l’U95 de cette moyenne ({ NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %).
 scan-flow-no-speed = Aucun véhicule n’a ici de vitesse validée.
 scan-flow-rear-unseen = Le taux d’occupation n’est pas connu : l’arrière d’un véhicule arrêté ici n’a pas été vu.
 scan-flow-no-u-occupancy = L’incertitude du taux d’occupation n’est pas connue : { NUMBER($count) } des véhicules n’ont pas de mouvement.

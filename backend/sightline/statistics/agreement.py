@@ -84,7 +84,7 @@ def trend(at: ArrayLike, value: ArrayLike) -> Trend | Said:
     if np.ptp(x) <= 0:
         return Said("stat-heights-alike")
     if np.ptp(y) <= 0:
-        return Said("stat-errors-alike")
+        return Said("stat-errors-of-one-size")
     line = scipy.stats.linregress(x, y)
     t = float(scipy.stats.t.ppf(0.5 + 0.5 * CONFIDENCE, n - 2))
     grid = np.linspace(x.min(), x.max(), _PLACES)

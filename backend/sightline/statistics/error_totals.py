@@ -262,12 +262,12 @@ def _of_sites(
     return [SharedErrors(sites.code, np.full(len(error_m), np.sqrt(extra)))] if extra > 0.0 else []
 
 
-def _ranks(group: Ints, weight: Floats, mean_m: Floats) -> Ints:
-    """Numbers (C,) from 0 of the groups of cells, by what a group weighs and then its mean: how groups were
-    numbered, and so the order of rows, changes no draw.
+def _ranks(group: Ints, weight: Floats, told: Sequence[Floats]) -> Ints:
+    """Numbers (C,) from 0 of the groups of cells, by their sums of what is told of cells, the last first: how
+    groups were numbered, and so the order of rows, changes no draw.
     """
     _, column = np.unique(group, return_inverse=True)
-    parts = (np.bincount(column, weight * mean_m), np.bincount(column, weight))
+    parts = [np.bincount(column, weight * one) for one in told]
     return np.argsort(np.lexsort([part.round(12) for part in parts]))[column]
 
 
@@ -280,13 +280,19 @@ def _cells(error_m: Floats, share: Floats, shared: Sequence[SharedErrors]) -> _C
     mean = np.bincount(code, share * error_m) / weight
     draws = max(min(_DRAWS, _MOST_DRAWN // len(weight)), _LEAST_DRAWS)
     moved = np.zeros((draws, len(weight)))
+    groups = np.full((len(shared), len(weight)), -1)
     for k, errors in enumerate(shared):
+        groups[k, code] = errors.group
+    amounts = [np.ones(len(weight)), mean, np.bincount(code, share * error_m**2) / weight]
+    told = [np.bincount(group + 1, weight * one)[group + 1] for group in groups for one in amounts]
+    for k, (group, errors) in enumerate(zip(groups, shared, strict=True)):
         u = np.sqrt(np.bincount(code, share * errors.u_m**2) / weight)
-        group = np.full(len(weight), -1)
-        group[code] = errors.group
         known = group >= 0
         if known.any():
-            column = _ranks(group[known], weight[known], mean[known])
+            of_known = [one[known] for one in (*told, u, *amounts[::-1])]
+            column = _ranks(group[known], weight[known], of_known)
+            told.append(np.zeros(len(weight)))
+            told[-1][known] = column
             moved[:, known] += _deviates(int(column.max()) + 1, draws, k + 1)[:, column] * u[known]
     several = count[code] > 1.0
     own = (error_m - mean[code]) * np.sqrt(count / np.maximum(count - 1.0, 1.0))[code]

@@ -260,9 +260,13 @@ def error_group(
             for name, (low, high) in zip(FIGURES, _intervals(error, height), strict=True)
         }
     ci95 |= shares_ci95
-    # equal errors have no interval
-    ci95 |= total if np.ptp(error) > 0.0 else dict.fromkeys(total)
-    return ErrorGroup(n, figures, {name: ci95[name] for name in names}, holds=holds, words=words)
+    if np.ptp(error) > 0.0:
+        ci95 |= total
+        return ErrorGroup(n, figures, {name: ci95[name] for name in names}, holds=holds, words=words)
+    ci95 = {name: shares_ci95.get(name) for name in names}
+    holds = {name: holds[name] for name in names if ci95[name]}
+    why = Said("stat-errors-without-interval")
+    return ErrorGroup(n, figures, ci95, why, holds, words if holds else None)
 
 
 def _totals(
