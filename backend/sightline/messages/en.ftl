@@ -3313,6 +3313,7 @@ stat-known-heights = errors of the known heights (both left in the values)
 stat-known-without-u = no known height has an uncertainty to be compared with
 stat-known-u-is-corrected = the stated uncertainties are of heights corrected by their inset
 stat-true-heights-alike = the heights are all the same
+stat-heights-closer-than-errors = the heights lie closer together than their uncertainties allow
 stat-sampling = sampling
 stat-alone = { $part } alone
 stat-too-few-errors = too few different errors for a bootstrap interval

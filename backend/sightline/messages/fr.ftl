@@ -3316,6 +3316,7 @@ stat-known-heights = les erreurs des hauteurs connues (les deux restent dans les
 stat-known-without-u = aucune hauteur connue n’a d’incertitude à laquelle comparer
 stat-known-u-is-corrected = les incertitudes indiquées sont celles de hauteurs corrigées de leur retrait
 stat-true-heights-alike = les hauteurs sont toutes égales
+stat-heights-closer-than-errors = les hauteurs sont plus proches les unes des autres que leurs incertitudes ne le permettent
 stat-sampling = l’échantillonnage
 stat-alone = { $part } seulement
 stat-too-few-errors = trop peu d’erreurs différentes pour un intervalle par bootstrap
