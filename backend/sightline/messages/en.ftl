@@ -3399,7 +3399,7 @@ statistics-nothing = Nothing to draw.
 statistics-nothing-because = Nothing to draw: { $reason }
 statistics-absolute-title = Absolute error, cumulative
 statistics-absolute-says = Cumulative share of vehicles by absolute error; { $groups }
-statistics-absolute-note = Simultaneous 95 % confidence bands (DKW) for 30 vehicles or more. { $groups }.
+statistics-absolute-note = Simultaneous 95 % confidence bands (DKW) for 30 vehicles or more; they include sampling only. { $groups }.
 statistics-absolute-x = Absolute error ({ $unit })
 statistics-relative-title = Relative error, cumulative
 statistics-relative-says = Cumulative share of vehicles by error in per cent of their height; { $groups }
@@ -3407,8 +3407,8 @@ statistics-relative-note = Absolute error divided by the reference height. { $gr
 statistics-relative-x = Relative error (%)
 statistics-density-title = Signed error, density
 statistics-density-says = Density of the signed error; { $groups }
-statistics-density-note = Gaussian kernel, bandwidth { $bandwidths }; pointwise 95 % band for 30 vehicles or more. { $groups }.
-statistics-density-note-rounded = Gaussian kernel, bandwidth { $bandwidths }, at least half of the { $rounding } of rounding; pointwise 95 % band for 30 vehicles or more. { $groups }.
+statistics-density-note = Gaussian kernel, bandwidth { $bandwidths }; pointwise 95 % band (sampling only) for 30 vehicles or more. { $groups }.
+statistics-density-note-rounded = Gaussian kernel, bandwidth { $bandwidths }, at least half of the { $rounding } of rounding; pointwise 95 % band (sampling only) for 30 vehicles or more. { $groups }.
 statistics-signed-error = Signed error ({ $unit })
 statistics-density-y = Share of vehicles (% per { $unit })
 statistics-trend-title = Error against manufacturer’s height
@@ -3444,7 +3444,7 @@ statistics-target-ecdf-says = Cumulative distribution of { $target } heights, un
     [one] { NUMBER($count) } vehicle
    *[other] { NUMBER($count) } vehicles
 }
-statistics-target-ecdf-note = Band: 95 %, simultaneous (DKW).
+statistics-target-ecdf-note = Band: 95 %, simultaneous (DKW), sampling only.
 statistics-target-ecdf-away = { $count ->
     [one] { NUMBER($count) } standard off scale.
    *[other] { NUMBER($count) } standards off scale.
@@ -3453,7 +3453,7 @@ statistics-target-nothing = Nothing to draw: no heights of this target match the
 statistics-height-x = Height above the road ({ $unit })
 statistics-target-density-title = { $target }, density
 statistics-target-density-says = Density of corrected { $target } heights
-statistics-target-density-note = Corrected heights, Gaussian kernel, pointwise 95 % band for 30 vehicles or more.
+statistics-target-density-note = Corrected heights, Gaussian kernel, pointwise 95 % band (sampling only) for 30 vehicles or more.
 statistics-share = { $standard }, { $height }: <strong>{ $share }</strong> of { $target ->
     [driver_eye] drivers’ eyes
     [taillight] taillights
@@ -7964,8 +7964,8 @@ report-fig-density-axis = Density (per { $unit })
 report-fig-density-caption = Corrected heights, n = { $n }; Gaussian kernel, bandwidth { $width }.
 report-fig-by = Heights of the { $target } by { $grouping }
 report-fig-by-caption = Corrected heights by group (number of vehicles): median (ring), 15th to 85th percentile (thick), 5th to 95th (thin); each vehicle (stroke) where they are too few.
-report-fig-band = Band: 95 %, simultaneous.
-report-fig-band-pointwise = Band: 95 %, pointwise.
+report-fig-band = Band: 95 %, simultaneous, sampling only.
+report-fig-band-pointwise = Band: 95 %, pointwise, sampling only.
 report-fig-no-band = No band for fewer than { $least } vehicles.
 report-fig-by-rules = Vertical lines: { $rules }.
 report-fig-by-left-out = { $n } smaller groups are not shown.

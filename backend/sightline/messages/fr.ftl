@@ -3401,7 +3401,7 @@ statistics-nothing = Rien à tracer.
 statistics-nothing-because = Rien à tracer : { $reason }
 statistics-absolute-title = Erreur absolue, répartition
 statistics-absolute-says = Part des véhicules dont l’erreur absolue ne dépasse pas la valeur donnée ; { $groups }
-statistics-absolute-note = Bandes de confiance simultanées à 95 % (DKW) à partir de 30 véhicules. { $groups }.
+statistics-absolute-note = Bandes de confiance simultanées à 95 % (DKW) à partir de 30 véhicules ; elles ne comprennent que l’échantillonnage. { $groups }.
 statistics-absolute-x = Erreur absolue ({ $unit })
 statistics-relative-title = Erreur relative, répartition
 statistics-relative-says = Part des véhicules dont l’erreur ne dépasse pas tant de pour cent de leur hauteur ; { $groups }
@@ -3409,8 +3409,8 @@ statistics-relative-note = Erreur absolue rapportée à la hauteur de référenc
 statistics-relative-x = Erreur relative (%)
 statistics-density-title = Erreur signée, densité
 statistics-density-says = Densité de l’erreur signée ; { $groups }
-statistics-density-note = Noyau gaussien, largeur de bande { $bandwidths } ; bande ponctuelle à 95 % à partir de 30 véhicules. { $groups }.
-statistics-density-note-rounded = Noyau gaussien, largeur de bande { $bandwidths }, au moins la moitié de l’arrondi ({ $rounding }) ; bande ponctuelle à 95 % à partir de 30 véhicules. { $groups }.
+statistics-density-note = Noyau gaussien, largeur de bande { $bandwidths } ; bande ponctuelle à 95 % (échantillonnage seul) à partir de 30 véhicules. { $groups }.
+statistics-density-note-rounded = Noyau gaussien, largeur de bande { $bandwidths }, au moins la moitié de l’arrondi ({ $rounding }) ; bande ponctuelle à 95 % (échantillonnage seul) à partir de 30 véhicules. { $groups }.
 statistics-signed-error = Erreur signée ({ $unit })
 statistics-density-y = Part des véhicules (% par { $unit })
 statistics-trend-title = Erreur selon la hauteur du constructeur
@@ -3446,7 +3446,7 @@ statistics-target-ecdf-says = Fonction de répartition des hauteurs, { $target }
     [one] { NUMBER($count) } véhicule
    *[other] { NUMBER($count) } véhicules
 }
-statistics-target-ecdf-note = Bande : 95 %, simultanée (DKW).
+statistics-target-ecdf-note = Bande : 95 %, simultanée (DKW), échantillonnage seul.
 statistics-target-ecdf-away = { $count ->
     [one] { NUMBER($count) } norme hors échelle.
    *[other] { NUMBER($count) } normes hors échelle.
@@ -3455,7 +3455,7 @@ statistics-target-nothing = Rien à tracer : aucune hauteur de cette cible ne c
 statistics-height-x = Hauteur au-dessus de la chaussée ({ $unit })
 statistics-target-density-title = { $target }, densité
 statistics-target-density-says = Densité des hauteurs corrigées, { $target }
-statistics-target-density-note = Hauteurs corrigées, noyau gaussien, bande ponctuelle à 95 % à partir de 30 véhicules.
+statistics-target-density-note = Hauteurs corrigées, noyau gaussien, bande ponctuelle à 95 % (échantillonnage seul) à partir de 30 véhicules.
 statistics-share = { $standard }, { $height } : <strong>{ $share }</strong> des { $target ->
     [driver_eye] yeux de conducteur
     [taillight] feux arrière
@@ -8025,8 +8025,8 @@ report-fig-density-axis = Densité (par { $unit })
 report-fig-density-caption = Hauteurs corrigées, n = { $n } ; noyau gaussien, largeur de bande { $width }.
 report-fig-by = Hauteurs par { $grouping } : { $target }
 report-fig-by-caption = Hauteurs corrigées par groupe (nombre de véhicules) : médiane (anneau), 15e au 85e centile (épais), 5e au 95e (fin) ; chaque véhicule (trait) s’ils sont trop peu nombreux.
-report-fig-band = Bande : 95 %, simultanée.
-report-fig-band-pointwise = Bande : 95 %, ponctuelle.
+report-fig-band = Bande : 95 %, simultanée, échantillonnage seul.
+report-fig-band-pointwise = Bande : 95 %, ponctuelle, échantillonnage seul.
 report-fig-no-band = Pas de bande sous { $least } véhicules.
 report-fig-by-rules = Traits verticaux : { $rules }.
 report-fig-by-left-out = { $n } groupes plus petits sont omis.
