@@ -4815,6 +4815,7 @@ commands-baseline-or-rig = Give either --baseline (with --u-baseline) or --rig.
 
 commands-not-percentile = “{ $part }” is not a percentile; give numbers between 0 and 100, such as --percentile 2.5,10,50.
 commands-no-heights = { $path } has no row with a height; give a file with rows whose status is ok.
+commands-heights-without-counts = { $name } has verdicts and no column counts, so it does not say which heights count. Give the heights.csv that `sightline height` makes from the clicks.csv of the package.
 commands-not-a-rig = { $path } is not a rig: a JSON object with baseline_m, as `sightline rig calibrate -o` writes it, and with lanes that have a distance_m each.
 commands-too-large = { $path } is larger than 200 MB; give { $what }.
 commands-not-exist-give = { $path } does not exist; give { $what }.

@@ -4809,6 +4809,7 @@ commands-baseline-or-rig = Donnez soit --baseline (avec --u-baseline), soit --ri
 
 commands-not-percentile = « { $part } » n’est pas un centile ; indiquez des nombres entre 0 et 100, par exemple --percentile 2.5,10,50.
 commands-no-heights = { $path } n’a aucune ligne avec une hauteur ; indiquez un fichier dont des lignes ont le status ok.
+commands-heights-without-counts = { $name } a des verdicts mais pas de colonne counts : il n’indique pas quelles hauteurs comptent. Indiquez le heights.csv que `sightline height` produit à partir du clicks.csv du paquet.
 commands-not-a-rig = { $path } n’est pas un dispositif : il faut un objet JSON avec baseline_m, comme l’écrit `sightline rig calibrate -o`, et des voies avec chacune son distance_m.
 commands-too-large = { $path } dépasse 200 Mo ; indiquez { $what }.
 commands-not-exist-give = { $path } n’existe pas ; indiquez { $what }.
