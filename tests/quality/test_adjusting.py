@@ -18,6 +18,7 @@ from sightline.infra.audit.verification import verify_records
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
+from sightline.measurements.again.store import add_computing
 from sightline.poses import store
 from sightline.quality.adjusting.observations import observations_of
 from sightline.vehicles.catalogue.records import CatalogueRow
@@ -176,6 +177,25 @@ def test_it_is_put_in_force_by_a_person_computes_again_and_is_taken_back(
     with services.reading() as session:
         verified = verify_records(session)
     assert verified.ok, verified.problem
+
+
+def test_taking_it_back_undoes_no_computing_of_another_pose(
+    operator: Client, ground: Ground, services: Services, work: Work
+) -> None:
+    """Only the last computing of a survey can be undone; where that is of another recording's pose, its
+    heights stay, and those of the pose that is taken back are out of date and say so.
+    """
+    fleet(operator, ground)
+    body = {"camera_height_change_m": moved(asked(operator, ground), "camera_height_m")["value"]}
+    made = operator.made(f"/poses/{ground.pose_id}/adjustment", body)
+    work()
+    with services.writing() as session:
+        other = add_computing(session, ground.survey_id, [], kind="adjustment", actor=None)
+    assert operator.made(f"/poses/{made['pose_id']}/adjustment/undo")["job"] is None
+    assert work() == []
+    told = operator.seen(f"/surveys/{ground.survey_id}/computings")
+    assert told["computings"][0]["id"] == other.id and told["computings"][0]["undone_by"] is None
+    assert told["out_of_date"]["heights"] == 3
 
 
 def _measured(client: Client, ground: Ground) -> list[dict[str, Any]]:
