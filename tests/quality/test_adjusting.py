@@ -231,6 +231,21 @@ def test_a_retired_wheelbase_adjusts_nothing(operator: Client, ground: Ground) -
     assert [out.get(one["id"]) for one in vehicles[:2]] == [None, "adjustment-no-wheelbase"]
 
 
+@pytest.mark.parametrize(("stated", "holds"), [(0.02, 0.02), (0.001, 0.005), (None, 0.01)])
+def test_a_wheelbase_that_two_builds_share_is_as_sure_as_the_less_sure_of_them(
+    services: Services, operator: Client, ground: Ground, stated: float | None, holds: float
+) -> None:
+    """Which of them passed is not known, nor may it hang on the order of the catalogue."""
+    fleet(operator, ground)
+    with services.writing() as session:
+        later = CatalogueRow(make="Corvane", model="Lindo", year_from=2020, wheelbase_m=WHEELBASES["Lindo"])
+        add_catalogue_row(session, replace(later, u_wheelbase_m=stated), actor=None)
+    with services.reading() as session:
+        found = observations_of(session, ground.survey_id, {ground.recording_id}, 0.01)
+    known = [one.observed.wheelbase for one in found.seen if one.what == "tyres" and "Lindo" in one.model]
+    assert known == 3 * [Known(WHEELBASES["Lindo"], holds)]
+
+
 def test_a_roof_whose_height_is_exact_counts_as_exact(
     services: Services, operator: Client, ground: Ground
 ) -> None:
