@@ -34,7 +34,8 @@ def find_survey(session: Session, name: str) -> Survey:
     """
     known = [survey for survey in list_surveys(session) if survey.name == name]
     if len(known) > 1:
-        raise BadInput("surveys-several", name=name, numbers=", ".join(str(one.id) for one in known))
+        numbers = ", ".join(str(one.id) for one in known)
+        raise BadInput("import-survey-name-twice", survey=name, numbers=numbers)
     if not known and name.isdigit():
         return get_survey(session, int(name))
     if not known:

@@ -5630,7 +5630,6 @@ surveys-photograph-changed = { $name } changed this photograph at { $when }; rel
 surveys-caption-long = A caption has at most { $most_caption } characters; shorten it.
 surveys-no-row-put = { $strange } is in no row of { $path }; it was added.
 surveys-photograph-replaced = { $file } is not the photograph named by its audit event; it was replaced.
-surveys-several = Several surveys are named “{ $name }”; give the number of one: { $numbers }.
 surveys-no-survey = There is no survey named “{ $name }”; check the name on the home page.
 surveys-changed-meanwhile = { $name } changed this survey at { $when }; reload it and repeat your change.
 surveys-place-half-coordinates = Coordinates are a latitude and a longitude; give both or neither.

@@ -5685,7 +5685,6 @@ surveys-photograph-changed = { $name } a modifié cette photo le { $when } ; r
 surveys-caption-long = Une légende a au plus { $most_caption } caractères ; raccourcissez-la.
 surveys-no-row-put = { $strange } n’est dans aucune ligne de { $path } ; ajouté après coup.
 surveys-photograph-replaced = { $file } n’est pas la photo que nomme son événement d’audit ; elle a été échangée.
-surveys-several = Plusieurs relevés se nomment « { $name } » ; indiquez le numéro de l’un d’eux : { $numbers }.
 surveys-no-survey = Il n’y a pas de relevé nommé « { $name } » ; vérifiez le nom sur la page d’accueil.
 surveys-changed-meanwhile = { $name } a modifié ce relevé le { $when } ; rechargez-le et refaites votre modification.
 surveys-place-half-coordinates = Des coordonnées sont une latitude et une longitude ; indiquez les deux ou aucune.
