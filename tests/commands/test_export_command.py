@@ -57,6 +57,18 @@ def test_an_unknown_survey_or_a_taken_place_is_refused(
     assert (stored / "taken").read_text() == "a file"
 
 
+def test_a_name_that_several_surveys_have_is_refused_and_their_numbers_are_said(
+    stored: Path, database_url: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    engine = make_engine(database_url)
+    with writing(session_factory(engine)) as session:
+        create_survey(session, name="Other", actor=None)
+    engine.dispose()
+    assert main(["export", "--survey", "Other", "-o", str(stored / "out")]) == 2
+    assert "give the number of one: 3, 2." in capsys.readouterr().err and not (stored / "out").exists()
+    assert main(["export", "--survey", "2", "-o", str(stored / "out")]) == 0, capsys.readouterr()
+
+
 def test_an_earlier_export_gives_way_and_nothing_else_does(
     stored: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -147,11 +147,12 @@ def test_json_holds_the_table_and_the_budget(road: Road, capsys: pytest.CaptureF
     assert [note[note.index("(--") :] for note in unsure["notes"]] == ["(--u-baseline).", "(--u-line-rate)."]
 
 
+@pytest.mark.parametrize("more_us", [0, -100])
 def test_with_a_start_every_vehicle_has_its_time_of_day(
-    road: Road, capsys: pytest.CaptureFixture[str]
+    more_us: int, road: Road, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """The true front's time, by the offset that was given; its u is the start's and the front's own."""
-    start = datetime(2026, 5, 4, 23, 59, 59, 200_000, timezone(timedelta(hours=2)))
+    start = datetime(2026, 5, 4, 23, 59, 59, 200_000 + more_us, timezone(timedelta(hours=2)))
     options = ("--start", start.isoformat(), "--u-start", "0.02")
     said = json.loads(said_by(capsys, *road.files, *RIG, *options, "--json"))
     assert (said["start"], said["u_start_s"]) == ("2026-05-04T23:59:59.200+02:00", 0.02)

@@ -25,9 +25,10 @@ from sightline.infra.audit.signing import SigningKey, put_in_force, replacing_ke
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
-from sightline.linescan.parts import Lane
+from sightline.linescan.parts import Lane, Rig
 from sightline.media.images import read_image
-from sightline.scans.store import rig_columns
+from sightline.scans.records import LiveSource
+from sightline.scans.store import create_scan, rig_columns
 from sightline.settings import Settings
 from tests.support import scans_samples
 from tests.support.app import Client, error_of
@@ -207,6 +208,35 @@ def test_the_command_writes_a_file_that_verify_takes(
     ):
         assert main(wrong) == 2
         assert why in capsys.readouterr().err
+
+
+def test_a_name_that_several_recordings_have_is_refused_and_their_numbers_are_said(
+    operator: Client,
+    scan: dict[str, Any],
+    services: Services,
+    settings: Settings,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Else the file is of the vehicle of that number in another recording."""
+    monkeypatch.setenv("SIGHTLINE_DATA_DIR", str(settings.data_dir))
+    monkeypatch.setenv("SIGHTLINE_DATABASE_URL", settings.database_url)
+    rig = Rig(baseline_m=2.0, u_baseline_m=0.001, line_rate_hz=5000.0)
+    with services.writing() as session:
+        other = create_scan(
+            session,
+            operator.seen("/surveys")[0]["id"],
+            name="Gate",
+            source=LiveSource(),
+            time_axis="width",
+            rig=rig,
+            actor=None,
+        )
+    asked = ["evidence", "--survey", "Test road", "--vehicle", "2", "-o", str(tmp_path / "two.html")]
+    assert main([*asked, "--scan", "Gate"]) == 2
+    assert f"give the number of one: {scan['id']}, {other.id}." in capsys.readouterr().err
+    assert main([*asked, "--scan", str(scan["id"])]) == 0, capsys.readouterr().err
 
 
 def test_what_it_says_is_signed_in_every_language_and_answered_in_that_of_the_request(

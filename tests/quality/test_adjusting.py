@@ -18,6 +18,7 @@ from sightline.infra.audit.verification import verify_records
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
+from sightline.measurements.again.store import add_computing
 from sightline.poses import store
 from sightline.quality.adjusting.observations import observations_of
 from sightline.vehicles.catalogue.records import CatalogueRow
@@ -178,6 +179,25 @@ def test_it_is_put_in_force_by_a_person_computes_again_and_is_taken_back(
     assert verified.ok, verified.problem
 
 
+def test_taking_it_back_undoes_no_computing_of_another_pose(
+    operator: Client, ground: Ground, services: Services, work: Work
+) -> None:
+    """Only the last computing of a survey can be undone; where that is of another recording's pose, its
+    heights stay, and those of the pose that is taken back are out of date and say so.
+    """
+    fleet(operator, ground)
+    body = {"camera_height_change_m": moved(asked(operator, ground), "camera_height_m")["value"]}
+    made = operator.made(f"/poses/{ground.pose_id}/adjustment", body)
+    work()
+    with services.writing() as session:
+        other = add_computing(session, ground.survey_id, [], kind="adjustment", actor=None)
+    assert operator.made(f"/poses/{made['pose_id']}/adjustment/undo")["job"] is None
+    assert work() == []
+    told = operator.seen(f"/surveys/{ground.survey_id}/computings")
+    assert told["computings"][0]["id"] == other.id and told["computings"][0]["undone_by"] is None
+    assert told["out_of_date"]["heights"] == 3
+
+
 def _measured(client: Client, ground: Ground) -> list[dict[str, Any]]:
     vehicles = client.seen(f"/surveys/{ground.survey_id}/vehicles")
     return [one for vehicle in vehicles for one in vehicle["measurements"]]
@@ -209,6 +229,21 @@ def test_a_retired_wheelbase_adjusts_nothing(operator: Client, ground: Ground) -
     found = asked(operator, ground)
     out = {one["vehicle_id"]: one["reason"]["code"] for one in found["left_out"] if one["what"] == "tyres"}
     assert [out.get(one["id"]) for one in vehicles[:2]] == [None, "adjustment-no-wheelbase"]
+
+
+@pytest.mark.parametrize(("stated", "holds"), [(0.02, 0.02), (0.001, 0.005), (None, 0.01)])
+def test_a_wheelbase_that_two_builds_share_is_as_sure_as_the_less_sure_of_them(
+    services: Services, operator: Client, ground: Ground, stated: float | None, holds: float
+) -> None:
+    """Which of them passed is not known, nor may it hang on the order of the catalogue."""
+    fleet(operator, ground)
+    with services.writing() as session:
+        later = CatalogueRow(make="Corvane", model="Lindo", year_from=2020, wheelbase_m=WHEELBASES["Lindo"])
+        add_catalogue_row(session, replace(later, u_wheelbase_m=stated), actor=None)
+    with services.reading() as session:
+        found = observations_of(session, ground.survey_id, {ground.recording_id}, 0.01)
+    known = [one.observed.wheelbase for one in found.seen if one.what == "tyres" and "Lindo" in one.model]
+    assert known == 3 * [Known(WHEELBASES["Lindo"], holds)]
 
 
 def test_a_roof_whose_height_is_exact_counts_as_exact(

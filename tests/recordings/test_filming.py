@@ -79,6 +79,8 @@ def test_a_person_confirms_the_start(operator: Client, viewer: Client, recording
     assert made.json()["started_local"] == "2026-05-03T08:10:00.000+02:00"
     assert made.json()["started_at"].startswith("2026-05-03T06:10:00")
     assert (made.json()["weather"], made.json()["street_lighting"]) == ("light rain", "off")
+    fine = {"local": "2026-05-03T08:09:59.9996", "time_zone": START["time_zone"]}
+    assert operator.put(path, json={"start": fine}).json()["started_local"] == made.json()["started_local"]
     taken_back = operator.put(path, json={"start": None, "weather": ""}).json()
     assert (taken_back["started_at"], taken_back["time_zone"], taken_back["weather"]) == (None, None, None)
     assert taken_back["street_lighting"] == "off"

@@ -8,6 +8,7 @@ import pytest
 from sightline.cli import main
 from sightline.commands.distribution import read_groups
 from sightline.commands.errors import read_heights
+from sightline.errors import BadInput
 from sightline.export.build import build
 from sightline.export.verify.package import verify_package
 from sightline.infra.csv_package.files import FolderFiles, Staging, fresh_folder
@@ -327,6 +328,8 @@ def test_commands_evaluate_the_clicks_that_the_report_evaluates(
     total = {row["n"] for row in rows(place, "statistics/total_uncertainty.csv") if row["target"] == "roof"}
     (of_command,) = read_groups(heights, None)[0].values()
     assert {str(len(of_command.height_m))} == total == {"1" if selected else "2"}
+    with pytest.raises(BadInput, match=r"measurements.csv has verdicts and no column counts"):
+        read_groups(place / "tables" / "measurements.csv", None)
     told = {
         (row["target"], row["check_target"] == "true"): int(row["n"])
         for row in rows(place, "statistics/errors_by_target.csv")

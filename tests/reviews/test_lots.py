@@ -228,6 +228,43 @@ def test_a_fix_conforms_up_to_u95_and_a_reopened_item_waits_again() -> None:
     assert one(1.521, fixed, Judgement(2, 2, "accepted")) is False
 
 
+def test_what_was_rejected_reopened_and_changed_does_not_leave_the_sample() -> None:
+    """Else a reviewer and an operator lead a wrong height out of it, and the next of the draw follows."""
+    said = Judgement(1, 1, "rejected"), Judgement(1, 1, "reopened")
+    next_one = ItemNow(8, 1, 2, 1)
+    for newest, gone in ((2, None), (2, "withdrawn"), (1, "vehicle_deleted")):
+        first, second = items_of([ItemNow(7, 1, 1, newest, gone, said), next_one], 1)
+        assert (first.role, first.conforming, second.role) == ("sample", False, "rest"), (newest, gone)
+    waits, _ = items_of([ItemNow(7, 1, 1, 1, None, said), next_one], 1)
+    assert (waits.role, waits.conforming) == ("sample", None)
+
+
+def test_a_lot_that_was_judged_is_not_dissolved_because_the_verdict_was_reopened(
+    reviewer: Client,
+    operator: Client,
+    ground: Ground,
+    made: list[dict[str, Any]],
+    services: Services,
+    tmp_path: Path,
+) -> None:
+    """Else whoever dislikes a sample could reopen what it showed and draw another."""
+    lot = draw(reviewer, ground.survey_id)
+    first, *others = sample_of(reviewer, lot)
+    assert judge(reviewer, first, "rejected", reason="mirror").status_code == 201
+    assert judge(reviewer, first, "reopened", reason="look again").status_code == 201
+    late = reviewer.post(f"/lots/{lot['lot']['id']}/dissolve")
+    assert late.status_code == 409 and "cannot be dissolved" in error_of(late)
+    points = {name: value for name, value in clicks(1.25).items() if name != "target"}
+    assert operator.put(f"/measurements/{first['id']}", {"revision": 1, **points}).status_code == 200
+    for one in others:
+        judge(reviewer, one)
+    (shown,) = lots(reviewer, ground)
+    assert shown["progress"]["nonconforming"] == 1 and not shown["progress"]["may_accept"]
+    assert reviewer.post(f"/lots/{lot['lot']['id']}/inspect").status_code == 200
+    place = written(services, ground.survey_id, tmp_path / "export")
+    assert (found := verify_package(FolderFiles(place))).ok, found.problem
+
+
 def test_the_draw_is_the_seeds_and_every_measurement_has_the_same_chance() -> None:
     items = [(number, 1) for number in range(1, 41)]
     seed = seed_of("0" * 64, items)

@@ -257,6 +257,17 @@ def test_the_command_counts_what_heights_share(tmp_path: Path, capsys: pytest.Ca
     assert "Intervals include sampling, errors that heights share, random errors" in capsys.readouterr().out
 
 
+def test_errors_below_what_is_printed_have_no_sign(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "heights.csv"
+    rows = [f"{1.45 + e / 1e6:.6f},1.45,ok" for e in (-9, 7, -9, 7, -9, 7)]
+    path.write_text("height_m,reference_height_m,status\n" + "\n".join(rows) + "\n")
+    assert main(["errors", str(path), "--round", "none"]) == 0
+    (bias,) = (one for one in capsys.readouterr().out.splitlines() if one.startswith("bias"))
+    assert "0.0000 m (0.000 ft) [0.0000, 0.0000]" in bias and "-0" not in bias
+
+
 @pytest.mark.parametrize(
     ("columns", "cells", "said"),
     [

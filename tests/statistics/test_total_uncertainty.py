@@ -203,6 +203,36 @@ def test_what_is_too_small_says_so() -> None:
     assert TotalUncertainty(HeightSample(np.array([1.2]), np.zeros(1))).mean().U95_low is None
 
 
+@pytest.mark.parametrize("sites", [1, 4])
+@pytest.mark.parametrize("scatter_m", [0.0, 0.0001, 0.004])
+def test_a_mean_is_no_surer_than_its_heights_and_a_spread_below_their_errors_has_a_reason(
+    scatter_m: float, sites: int
+) -> None:
+    """40 heights of u = 10 mm each cannot tell a mean better than 10 mm / sqrt(40), 10 mm that all share not
+    at all, and 10 mm of each of 4 poses by 10 mm / sqrt(4), however close together they lie.
+    """
+    height_m = 1.15 + scatter_m * np.random.default_rng(1).standard_normal(40)
+    u_m, site = np.full(40, 0.01), np.arange(40) % sites
+    own = HeightSample(height_m, u_m, (), site)
+    shared = HeightSample(height_m, 0.0 * u_m, (SharedErrors(np.zeros(40, np.int64), u_m),), site)
+    of_site = HeightSample(height_m, 0.0 * u_m, (SharedErrors(site, u_m),), site)
+    for heights, groups in ((own, 40), (shared, 1), (of_site, sites)):
+        found = TotalUncertainty(heights).mean()
+        assert found.U95_low is not None and found.U95_high is not None
+        assert found.U95_high - found.U95_low > 0.99 * 2 * 1.96 * 0.01 / np.sqrt(groups)
+    total = TotalUncertainty(own)
+    why = "lie closer together than their uncertainties allow" if scatter_m else "are all the same"
+    for one in (total.sd(), total.percentile(50.0), total.share_below(1.15)):
+        assert str(one.reason) == f"the heights {why}" and one.U95_low is one.U95_high is None
+    assert total.sd().value is None and total.components(50.0) is None
+
+
+def test_equal_heights_without_an_uncertainty_have_a_mean_and_no_interval() -> None:
+    found = TotalUncertainty(HeightSample(np.full(40, 1.15), np.zeros(40))).mean()
+    assert found.value == 1.15 and found.U95_low is None
+    assert str(found.reason) == "the heights are all the same"
+
+
 @settings(max_examples=25, deadline=None)
 @given(
     n=st.integers(146, 250),

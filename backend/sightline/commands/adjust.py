@@ -65,7 +65,7 @@ def _describe_adjustment(adjustment: Adjustment, unread: list[LeftOut], output: 
         f"left out of {one.name}: {one.point} on frame {one.frame}" for one in adjustment.dropped_points
     ]
     lines += [
-        f"{one.name}{'' if one.of_m is None else f' of {one.of_m:g} m'}: {one.value:+.6f}, "
+        f"{one.name}{'' if one.of_m is None else f' of {one.of_m:g} m'}: {one.value:+z.6f}, "
         f"u = {one.u_before:.6f} -> {one.u_after:.6f}"
         for one in adjustment.moved
     ]

@@ -214,7 +214,7 @@ def _join_flags(flags: Iterable[Said]) -> str:
 
 def metres(value: float) -> str:
     """A length with six decimals, never a negative zero; empty where there is none."""
-    return "" if not math.isfinite(value) else f"{value + 0.0:.6f}".replace("-0.000000", "0.000000")
+    return "" if not math.isfinite(value) else f"{value:z.6f}"
 
 
 def escape_formula(cell: str) -> str:

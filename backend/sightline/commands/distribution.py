@@ -117,6 +117,8 @@ def read_groups(path: Path, by: str | None) -> tuple[dict[str, Rows], int]:
 
 
 def _refuse_header(table: GivenTable, by: str | None) -> None:
+    if "verdict" in table.header and "counts" not in table.header:
+        raise BadInput("commands-heights-without-counts", name=table.name)
     own_u = "u_height_m" if "u_random_m" not in table.header else "height_m"
     needed = ["height_m", own_u, *([] if by is None else [by])]
     if "u_shared_m" in table.header or "shared_group" in table.header:
@@ -243,9 +245,9 @@ def _compared_text(
     lines = [f"{pair[1]} less {pair[0]}:"]
     for name, comparison in _compared(pair, found, percents):
         label = name if name == "mean" else f"P{name}"
-        value = "-" if comparison.verdict is None else f"{comparison.difference.value:+.4f}"
+        value = "-" if comparison.verdict is None else f"{comparison.difference.value:+z.4f}"
         said = str(comparison.verdict or comparison.difference.reason or "").replace("_", " ")
-        lines.append(f"{label:>8} {value:>9} {_ends(comparison.difference, '{:.4f}'.format):>20}  {said}")
+        lines.append(f"{label:>8} {value:>9} {_ends(comparison.difference, '{:z.4f}'.format):>20}  {said}")
     lines.append("Higher or lower: the 95 % interval of the difference excludes 0 (risk at most 2.5 %).")
     return "\n".join(
         [*lines, "Errors that both share (a pose, a site, an inset) make the intervals too wide."]

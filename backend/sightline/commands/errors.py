@@ -211,10 +211,10 @@ def cell(group: ErrorGroup, name: str) -> str:
     if value is None:
         return "-"
     if name.endswith("_m"):
-        shown = f"{value:.4f} m ({value * FEET:.3f} ft)"
-        return shown + (f" [{interval.low:.4f}, {interval.high:.4f}]" if interval else "")
+        shown = f"{value:z.4f} m ({value * FEET:z.3f} ft)"
+        return shown + (f" [{interval.low:z.4f}, {interval.high:z.4f}]" if interval else "")
     unit = " m2" if name == "mse_m2" else ""
-    digits = ".6f" if unit else ".2f"
+    digits = "z.6f" if unit else "z.2f"
     return f"{value:{digits}}{unit}" + (
         f" [{interval.low:{digits}}, {interval.high:{digits}}]" if interval else ""
     )

@@ -83,6 +83,10 @@ def _vehicle(session: Session, survey_id: int, scan: str, number: int) -> int:
     matching = [one for one in scans if one.name == scan] or [one for one in scans if str(one.id) == scan]
     if not matching:
         raise BadInput("evidence-no-scan", scan=scan, names=", ".join(one.name for one in scans))
+    if len(matching) > 1:
+        raise BadInput(
+            "evidence-scans-several", scan=scan, numbers=", ".join(str(one.id) for one in matching)
+        )
     for one in list_scan_vehicles(session, matching[0].id):
         if one.number == number:
             return one.id

@@ -35,6 +35,7 @@ from sightline.commands.scanned import (
 )
 from sightline.enums import ScanMethod, TimeAxis
 from sightline.errors import BadInput
+from sightline.infra.local_time import to_millisecond
 from sightline.linescan import faults
 from sightline.linescan.finding import Finder
 from sightline.linescan.parts import Passage, Rig
@@ -93,7 +94,8 @@ def linescan(
         facts = {"method": method, "lines": first_strip.lines, "rows": first_strip.rows, **about_rig(rig)}
         facts["duration_s"] = first_strip.lines / rig.line_rate_hz
         if begun is not None:
-            facts |= {"start": begun.at.isoformat(timespec="milliseconds"), "u_start_s": begun.u_s}
+            start = to_millisecond(begun.at).isoformat(timespec="milliseconds")
+            facts |= {"start": start, "u_start_s": begun.u_s}
     notes += map(str, faults.notes_of(finder))
     notes += left_out(rig, table.measured, begun)
     if output is not None:

@@ -149,7 +149,7 @@ def _plan_text(planned: Plan) -> str:
         inset = f"{t.inset_m:.2f} (u = {t.u_inset_m:.2f})"
         lines.append(
             f"{t.target:<16}{t.height_m:8.2f}  {inset}   {one_frame:>7}  {two_frames:>13}  "
-            f"{1000 * t.bias_if_ignored_m:+.0f}"
+            f"{1000 * t.bias_if_ignored_m:+z.0f}"
         )
     eye = next(t for t in planned.targets if t.target == "driver_eye")
     if eye.result.status == "ok" and eye.two_frames.reason is not None:

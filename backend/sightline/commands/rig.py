@@ -100,8 +100,8 @@ def _describe_calibration(
     lines = [
         f"baseline at the cameras {_mm(calibration.baseline_m)} "
         f"± {_mm(expanded(calibration.u_baseline_m))} mm (95 %)",
-        f"divergence {divergence:.3f} ± {U95_divergence:.3f} mm per m (95 %)",
-        f"correlation of both {calibration.correlation:.3f}",
+        f"divergence {divergence:z.3f} ± {U95_divergence:.3f} mm per m (95 %)",
+        f"correlation of both {calibration.correlation:z.3f}",
         f"{len(calibration.passes)} passes from {calibration.nearest_m:.2f} to "
         f"{calibration.farthest_m:.2f} m: chi-square "
         f"{calibration.chi2:.1f} with {calibration.degrees_of_freedom} degrees of freedom, "
@@ -110,7 +110,7 @@ def _describe_calibration(
     lines += [_lane_text(one) for one in lanes]
     lines += [
         f"pass {one.name} at {one.distance_m:.2f} m: {_mm(one.span_m)} mm, "
-        f"{1e3 * one.residual_m:+.2f} mm from the line"
+        f"{1e3 * one.residual_m:+z.2f} mm from the line"
         for one in calibration.passes
     ]
     lines += [f"left out row {one.row} ({one.name}): {one.reason}" for one in given.refused]

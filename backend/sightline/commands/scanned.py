@@ -14,6 +14,7 @@ from sightline.commands.files import read_json
 from sightline.commands.options import FILE, choice_option, number_option
 from sightline.enums import ScanDirection, ScanMethod
 from sightline.errors import BadInput
+from sightline.infra.local_time import to_millisecond
 from sightline.linescan.clock import u_passing_s
 from sightline.linescan.parts import USUAL_SHADOW_SHARE, Lane, Rig
 from sightline.linescan.passing import Vehicle
@@ -77,7 +78,7 @@ class Start:
     def times_of(self, vehicle: Vehicle, rig: Rig) -> dict[str, Any]:
         """The columns of `TIMES`: when its front reached camera 1, and the u of that."""
         motion = vehicle.motion
-        at = self.at + timedelta(milliseconds=round(1000 * vehicle.front_s))
+        at = to_millisecond(self.at + timedelta(seconds=vehicle.front_s))
         u_s = u_passing_s(
             vehicle.front_s, self.u_s, rig.u_line_rate_ratio, motion.speed_mps, motion.u_length_m
         )

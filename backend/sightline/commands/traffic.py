@@ -136,7 +136,11 @@ def sites(archive: Path, as_json: bool) -> None:
 @click.option("--from", "first", help="First day, such as 2026-05-04.")
 @click.option("--to", "last", help="Last day (included).")
 @click.option(
-    "--minutes", default=60, show_default=True, help="Length of an interval, minutes: 1, 5, 15, 60 ..."
+    "--minutes",
+    default=60,
+    show_default=True,
+    help="Length of an interval, minutes: 1, 5, 15, 60 ... From local midnight on: where clocks change by "
+    "an hour, intervals such as 120 begin at other hours for the rest of the day.",
 )
 @click.option(
     "--percentile", "percents", default="15,50,85", show_default=True, help="Percentiles of the speeds."

@@ -18,7 +18,7 @@ from sightline.messages import SOURCE, languages
 from sightline.messages.said import Said
 from sightline.results.selection import Selection, selection_of
 from sightline.surveys.records import Survey
-from sightline.surveys.store import get_survey, list_surveys, survey_by_name
+from sightline.surveys.store import get_survey, list_surveys
 
 if TYPE_CHECKING:
     from sightline.export.build import Built
@@ -29,11 +29,18 @@ _BUILT, _ZIPPED = 0.85, 0.97  # of the whole work, by progress
 
 
 def find_survey(session: Session, name: str) -> Survey:
-    """A survey by its name, or by its number where no survey has that name. Raises BadInput, NotFound."""
+    """A survey by its name, or by its number where no survey has that name. Raises BadInput, also where
+    several have it, and NotFound.
+    """
     known = [survey for survey in list_surveys(session) if survey.name == name]
+    if len(known) > 1:
+        numbers = ", ".join(str(one.id) for one in known)
+        raise BadInput("import-survey-name-twice", survey=name, numbers=numbers)
     if not known and name.isdigit():
         return get_survey(session, int(name))
-    return known[0] if known else survey_by_name(session, name)
+    if not known:
+        raise BadInput("surveys-no-survey", name=name)
+    return known[0]
 
 
 def request_export(

@@ -101,8 +101,8 @@ ERROR_TREND = statistics_table(
     text("of", "signed or absolute error", required=True),
     metres("reference_m", "manufacturer's height"),
     metres("error_m", "error on the line"),
-    metres("low_m", "lower edge of the line's 95 % band"),
-    metres("high_m", "upper edge of the line's 95 % band"),
+    metres("low_m", "lower edge of the line's 95 % band, which includes sampling only"),
+    metres("high_m", "upper edge of the line's 95 % band, which includes sampling only"),
 )
 ERROR_ECDF = statistics_table(
     "error_ecdf",

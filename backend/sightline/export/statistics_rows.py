@@ -22,7 +22,10 @@ TOTAL_M = (
     metres("low_m", "lower end of its total 95 % interval"),
     metres("high_m", "upper end of its total 95 % interval"),
 )
-BAND = (number("low", "lower edge of the 95 % band"), number("high", "upper edge of the 95 % band"))
+BAND = (
+    number("low", "lower edge of the 95 % band, which includes sampling only"),
+    number("high", "upper edge of the 95 % band, which includes sampling only"),
+)
 
 
 def statistics_table(name: str, meaning: str, *columns: Column, **keys: Any) -> Table:

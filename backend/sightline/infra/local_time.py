@@ -59,6 +59,12 @@ def _read_local_time(local: str) -> datetime:
         raise BadInput("local-time-cannot-read", text=local[:40]) from error
 
 
+def to_millisecond(at: datetime) -> datetime:
+    """The full millisecond that lies nearest."""
+    later = at + timedelta(microseconds=500)
+    return later - timedelta(microseconds=later.microsecond % 1000)
+
+
 def local_text(instant: datetime, zone: str, seconds: float = 0.0) -> str:
     """So many seconds after an instant, by the clocks of a zone: ISO 8601 with offset, milliseconds."""
     at = instant + timedelta(milliseconds=round(1000.0 * seconds))

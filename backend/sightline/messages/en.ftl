@@ -3315,6 +3315,7 @@ stat-known-heights = errors of the known heights (both left in the values)
 stat-known-without-u = no known height has an uncertainty to be compared with
 stat-known-u-is-corrected = the stated uncertainties are of heights corrected by their inset
 stat-true-heights-alike = the heights are all the same
+stat-heights-closer-than-errors = the heights lie closer together than their uncertainties allow
 stat-sampling = sampling
 stat-alone = { $part } alone
 stat-too-few-errors = too few different errors for a bootstrap interval
@@ -3400,7 +3401,7 @@ statistics-nothing = Nothing to draw.
 statistics-nothing-because = Nothing to draw: { $reason }
 statistics-absolute-title = Absolute error, cumulative
 statistics-absolute-says = Cumulative share of vehicles by absolute error; { $groups }
-statistics-absolute-note = Simultaneous 95 % confidence bands (DKW) for 30 vehicles or more. { $groups }.
+statistics-absolute-note = Simultaneous 95 % confidence bands (DKW) for 30 vehicles or more; they include sampling only. { $groups }.
 statistics-absolute-x = Absolute error ({ $unit })
 statistics-relative-title = Relative error, cumulative
 statistics-relative-says = Cumulative share of vehicles by error in per cent of their height; { $groups }
@@ -3408,8 +3409,8 @@ statistics-relative-note = Absolute error divided by the reference height. { $gr
 statistics-relative-x = Relative error (%)
 statistics-density-title = Signed error, density
 statistics-density-says = Density of the signed error; { $groups }
-statistics-density-note = Gaussian kernel, bandwidth { $bandwidths }; pointwise 95 % band for 30 vehicles or more. { $groups }.
-statistics-density-note-rounded = Gaussian kernel, bandwidth { $bandwidths }, at least half of the { $rounding } of rounding; pointwise 95 % band for 30 vehicles or more. { $groups }.
+statistics-density-note = Gaussian kernel, bandwidth { $bandwidths }; pointwise 95 % band (sampling only) for 30 vehicles or more. { $groups }.
+statistics-density-note-rounded = Gaussian kernel, bandwidth { $bandwidths }, at least half of the { $rounding } of rounding; pointwise 95 % band (sampling only) for 30 vehicles or more. { $groups }.
 statistics-signed-error = Signed error ({ $unit })
 statistics-density-y = Share of vehicles (% per { $unit })
 statistics-trend-title = Error against manufacturer’s height
@@ -3445,7 +3446,7 @@ statistics-target-ecdf-says = Cumulative distribution of { $target } heights, un
     [one] { NUMBER($count) } vehicle
    *[other] { NUMBER($count) } vehicles
 }
-statistics-target-ecdf-note = Band: 95 %, simultaneous (DKW).
+statistics-target-ecdf-note = Band: 95 %, simultaneous (DKW), sampling only.
 statistics-target-ecdf-away = { $count ->
     [one] { NUMBER($count) } standard off scale.
    *[other] { NUMBER($count) } standards off scale.
@@ -3454,7 +3455,7 @@ statistics-target-nothing = Nothing to draw: no heights of this target match the
 statistics-height-x = Height above the road ({ $unit })
 statistics-target-density-title = { $target }, density
 statistics-target-density-says = Density of corrected { $target } heights
-statistics-target-density-note = Corrected heights, Gaussian kernel, pointwise 95 % band for 30 vehicles or more.
+statistics-target-density-note = Corrected heights, Gaussian kernel, pointwise 95 % band (sampling only) for 30 vehicles or more.
 statistics-share = { $standard }, { $height }: <strong>{ $share }</strong> of { $target ->
     [driver_eye] drivers’ eyes
     [taillight] taillights
@@ -4818,6 +4819,7 @@ commands-baseline-or-rig = Give either --baseline (with --u-baseline) or --rig.
 
 commands-not-percentile = “{ $part }” is not a percentile; give numbers between 0 and 100, such as --percentile 2.5,10,50.
 commands-no-heights = { $path } has no row with a height; give a file with rows whose status is ok.
+commands-heights-without-counts = { $name } has verdicts and no column counts, so it does not say which heights count. Give the heights.csv that `sightline height` makes from the clicks.csv of the package.
 commands-not-a-rig = { $path } is not a rig: a JSON object with baseline_m, as `sightline rig calibrate -o` writes it, and with lanes that have a distance_m each.
 commands-too-large = { $path } is larger than 200 MB; give { $what }.
 commands-not-exist-give = { $path } does not exist; give { $what }.
@@ -6803,6 +6805,7 @@ evidence-too-long = Front and rear are { NUMBER($lines) } lines apart, more than
 evidence-pages-not-built = The page of evidence files is not built; run make setup and try again.
 evidence-one-limit = Give one limit: --most-kmh, --least-time-gap-s or --least-distance-gap-m, above 0 and below 10 000.
 evidence-no-scan = The survey has no line-scan recording { $scan }; it has: { $names }.
+evidence-scans-several = Several line-scan recordings of the survey are named { $scan }; give the number of one: { $numbers }.
 evidence-no-vehicle = There is no vehicle { $number } in { $scan }; check the number on the line scan page.
 evidence-not-one = This is not an evidence file as written by Sightline, or it was truncated; get the file again.
 evidence-form = The part “{ $part ->
@@ -7970,8 +7973,8 @@ report-fig-density-axis = Density (per { $unit })
 report-fig-density-caption = Corrected heights, n = { $n }; Gaussian kernel, bandwidth { $width }.
 report-fig-by = Heights of the { $target } by { $grouping }
 report-fig-by-caption = Corrected heights by group (number of vehicles): median (ring), 15th to 85th percentile (thick), 5th to 95th (thin); each vehicle (stroke) where they are too few.
-report-fig-band = Band: 95 %, simultaneous.
-report-fig-band-pointwise = Band: 95 %, pointwise.
+report-fig-band = Band: 95 %, simultaneous, sampling only.
+report-fig-band-pointwise = Band: 95 %, pointwise, sampling only.
 report-fig-no-band = No band for fewer than { $least } vehicles.
 report-fig-by-rules = Vertical lines: { $rules }.
 report-fig-by-left-out = { $n } smaller groups are not shown.

@@ -3318,6 +3318,7 @@ stat-known-heights = les erreurs des hauteurs connues (les deux restent dans les
 stat-known-without-u = aucune hauteur connue n’a d’incertitude à laquelle comparer
 stat-known-u-is-corrected = les incertitudes indiquées sont celles de hauteurs corrigées de leur retrait
 stat-true-heights-alike = les hauteurs sont toutes égales
+stat-heights-closer-than-errors = les hauteurs sont plus proches les unes des autres que leurs incertitudes ne le permettent
 stat-sampling = l’échantillonnage
 stat-alone = { $part } seulement
 stat-too-few-errors = trop peu d’erreurs différentes pour un intervalle par bootstrap
@@ -3402,7 +3403,7 @@ statistics-nothing = Rien à tracer.
 statistics-nothing-because = Rien à tracer : { $reason }
 statistics-absolute-title = Erreur absolue, répartition
 statistics-absolute-says = Part des véhicules dont l’erreur absolue ne dépasse pas la valeur donnée ; { $groups }
-statistics-absolute-note = Bandes de confiance simultanées à 95 % (DKW) à partir de 30 véhicules. { $groups }.
+statistics-absolute-note = Bandes de confiance simultanées à 95 % (DKW) à partir de 30 véhicules ; elles ne comprennent que l’échantillonnage. { $groups }.
 statistics-absolute-x = Erreur absolue ({ $unit })
 statistics-relative-title = Erreur relative, répartition
 statistics-relative-says = Part des véhicules dont l’erreur ne dépasse pas tant de pour cent de leur hauteur ; { $groups }
@@ -3410,8 +3411,8 @@ statistics-relative-note = Erreur absolue rapportée à la hauteur de référenc
 statistics-relative-x = Erreur relative (%)
 statistics-density-title = Erreur signée, densité
 statistics-density-says = Densité de l’erreur signée ; { $groups }
-statistics-density-note = Noyau gaussien, largeur de bande { $bandwidths } ; bande ponctuelle à 95 % à partir de 30 véhicules. { $groups }.
-statistics-density-note-rounded = Noyau gaussien, largeur de bande { $bandwidths }, au moins la moitié de l’arrondi ({ $rounding }) ; bande ponctuelle à 95 % à partir de 30 véhicules. { $groups }.
+statistics-density-note = Noyau gaussien, largeur de bande { $bandwidths } ; bande ponctuelle à 95 % (échantillonnage seul) à partir de 30 véhicules. { $groups }.
+statistics-density-note-rounded = Noyau gaussien, largeur de bande { $bandwidths }, au moins la moitié de l’arrondi ({ $rounding }) ; bande ponctuelle à 95 % (échantillonnage seul) à partir de 30 véhicules. { $groups }.
 statistics-signed-error = Erreur signée ({ $unit })
 statistics-density-y = Part des véhicules (% par { $unit })
 statistics-trend-title = Erreur selon la hauteur du constructeur
@@ -3447,7 +3448,7 @@ statistics-target-ecdf-says = Fonction de répartition des hauteurs, { $target }
     [one] { NUMBER($count) } véhicule
    *[other] { NUMBER($count) } véhicules
 }
-statistics-target-ecdf-note = Bande : 95 %, simultanée (DKW).
+statistics-target-ecdf-note = Bande : 95 %, simultanée (DKW), échantillonnage seul.
 statistics-target-ecdf-away = { $count ->
     [one] { NUMBER($count) } norme hors échelle.
    *[other] { NUMBER($count) } normes hors échelle.
@@ -3456,7 +3457,7 @@ statistics-target-nothing = Rien à tracer : aucune hauteur de cette cible ne c
 statistics-height-x = Hauteur au-dessus de la chaussée ({ $unit })
 statistics-target-density-title = { $target }, densité
 statistics-target-density-says = Densité des hauteurs corrigées, { $target }
-statistics-target-density-note = Hauteurs corrigées, noyau gaussien, bande ponctuelle à 95 % à partir de 30 véhicules.
+statistics-target-density-note = Hauteurs corrigées, noyau gaussien, bande ponctuelle à 95 % (échantillonnage seul) à partir de 30 véhicules.
 statistics-share = { $standard }, { $height } : <strong>{ $share }</strong> des { $target ->
     [driver_eye] yeux de conducteur
     [taillight] feux arrière
@@ -4812,6 +4813,7 @@ commands-baseline-or-rig = Donnez soit --baseline (avec --u-baseline), soit --ri
 
 commands-not-percentile = « { $part } » n’est pas un centile ; indiquez des nombres entre 0 et 100, par exemple --percentile 2.5,10,50.
 commands-no-heights = { $path } n’a aucune ligne avec une hauteur ; indiquez un fichier dont des lignes ont le status ok.
+commands-heights-without-counts = { $name } a des verdicts mais pas de colonne counts : il n’indique pas quelles hauteurs comptent. Indiquez le heights.csv que `sightline height` produit à partir du clicks.csv du paquet.
 commands-not-a-rig = { $path } n’est pas un dispositif : il faut un objet JSON avec baseline_m, comme l’écrit `sightline rig calibrate -o`, et des voies avec chacune son distance_m.
 commands-too-large = { $path } dépasse 200 Mo ; indiquez { $what }.
 commands-not-exist-give = { $path } n’existe pas ; indiquez { $what }.
@@ -6871,6 +6873,7 @@ evidence-too-long = L’avant et l’arrière sont à { NUMBER($lines) } lignes 
 evidence-pages-not-built = La page des dossiers de preuve n’est pas construite ici ; lancez make setup et réessayez.
 evidence-one-limit = Indiquez une limite : --most-kmh, --least-time-gap-s ou --least-distance-gap-m, supérieure à 0 et inférieure à 10 000.
 evidence-no-scan = Le relevé n’a pas d’enregistrement de balayage linéaire { $scan } ; il a : { $names }.
+evidence-scans-several = Plusieurs enregistrements de balayage linéaire du relevé se nomment { $scan } ; indiquez le numéro de l’un d’eux : { $numbers }.
 evidence-no-vehicle = Il n’y a pas de véhicule { $number } dans { $scan } ; vérifiez le numéro sur la page du balayage.
 evidence-not-one = Ce n’est pas un dossier de preuve tel que ce programme les écrit, ou il a été tronqué ; reprenez le fichier.
 evidence-form = La partie « { $part ->
@@ -8031,8 +8034,8 @@ report-fig-density-axis = Densité (par { $unit })
 report-fig-density-caption = Hauteurs corrigées, n = { $n } ; noyau gaussien, largeur de bande { $width }.
 report-fig-by = Hauteurs par { $grouping } : { $target }
 report-fig-by-caption = Hauteurs corrigées par groupe (nombre de véhicules) : médiane (anneau), 15e au 85e centile (épais), 5e au 95e (fin) ; chaque véhicule (trait) s’ils sont trop peu nombreux.
-report-fig-band = Bande : 95 %, simultanée.
-report-fig-band-pointwise = Bande : 95 %, ponctuelle.
+report-fig-band = Bande : 95 %, simultanée, échantillonnage seul.
+report-fig-band-pointwise = Bande : 95 %, ponctuelle, échantillonnage seul.
 report-fig-no-band = Pas de bande sous { $least } véhicules.
 report-fig-by-rules = Traits verticaux : { $rules }.
 report-fig-by-left-out = { $n } groupes plus petits sont omis.

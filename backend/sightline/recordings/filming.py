@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from sightline.enums import StreetLamps, StreetLighting
 from sightline.errors import BadInput
-from sightline.infra.local_time import instant_of, local_text, local_us
+from sightline.infra.local_time import instant_of, local_text, local_us, to_millisecond
 from sightline.messages.said import Said
 
 _EARLIEST = datetime(1990, 1, 1, tzinfo=UTC)
@@ -112,8 +112,7 @@ def filming_of(row: Mapping[Any, Any]) -> Filming | None:
 
 def start_of(local: str, zone: str, present: datetime) -> Filming:
     """What a person said of a start. Raises BadInput: see `instant_of`; and a start in the future."""
-    at = instant_of(local, zone)
-    at = at.replace(microsecond=at.microsecond // 1000 * 1000)
+    at = to_millisecond(instant_of(local, zone))
     if at > present:
         raise BadInput(
             "recordings-start-in-future", start=local_text(at, zone)[:16].replace("T", " "), zone=zone

@@ -30,7 +30,7 @@ _STILL, _STILL_WEIGHT, _LONGEST = 1e-5, 0.01, 2.0
 _FIRST_WEIGHT, _WEIGHTS, _LIGHTER = 10.0, (1e-4, 1e7), 0.1  # of the penalty; large: a normal distribution
 _LEAST_VALUES = 6
 _MOST_PARTS = 8  # of a mixture of errors
-_LEAST_SPREAD = 1e-6  # metres; less is the rounding of equal values
+LEAST_SPREAD = 1e-6  # metres; less is the rounding of equal values
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,7 +114,7 @@ def smooth_density(heights_m: Floats, noise: Noise, weight: Floats | None = None
     Penalised composite link model (Eilers 2007).
     """
     spread = _spread(heights_m)
-    if len(heights_m) < _LEAST_VALUES or spread < _LEAST_SPREAD:
+    if len(heights_m) < _LEAST_VALUES or spread < LEAST_SPREAD:
         return None
     low, high = heights_m[0] - _PAD * spread, heights_m[-1] + _PAD * spread
     cells = min(int(np.ceil((high - low) / spread * _CELLS_PER_SPREAD)), _MOST_CELLS)
@@ -237,7 +237,7 @@ def _spread(ordered: Floats) -> float:
     quartiles = np.quantile(ordered, [0.25, 0.75])
     of_quartiles = float(quartiles[1] - quartiles[0]) / 1.349
     shortest = float((ordered[half:] - ordered[: n - half]).min()) / 1.349
-    found = [one for one in (float(ordered.std()), of_quartiles, shortest) if one > _LEAST_SPREAD]
+    found = [one for one in (float(ordered.std()), of_quartiles, shortest) if one > LEAST_SPREAD]
     return min(found, default=0.0)
 
 

@@ -54,7 +54,9 @@ class Share:
 
 @dataclass(frozen=True, eq=False)
 class Ecdf:
-    """Cumulative shares at sorted values, (M,) each: `share` of the sample is <= `value`; low, high: band."""
+    """Cumulative shares at sorted values, (M,) each: `share` of the sample is <= `value`; low, high: band, of
+    sampling alone.
+    """
 
     value: Floats
     share: Floats
@@ -66,7 +68,7 @@ class Ecdf:
 @dataclass(frozen=True, eq=False)
 class Density:
     """A Gaussian kernel density on a grid, (M,) each, with a pointwise bootstrap band of the estimate itself
-    (its smoothing bias is not in the band).
+    (its smoothing bias and errors that values share are not in the band).
     """
 
     value: Floats

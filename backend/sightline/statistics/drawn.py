@@ -136,7 +136,7 @@ class Drawn:
             )  # fmt: skip
         self._kept = np.concatenate([one.kept for one in self._strata])
         self._free = sum(float(one.free.sum()) for one in self._strata)
-        self._of_all_m2 = sum(float(np.square(one.of_mean_m(design.weight)).sum()) for one in shared)
+        self.of_all_m2 = sum(float(np.square(one.of_mean_m(design.weight)).sum()) for one in shared)
 
     def sampled(self, influence: Floats, smooth: Sequence[Floats] = (), *, height: bool = True) -> Sampled:
         """Variance of a weighted mean of which `influence` (N,) is each height's influence, in its unit
@@ -150,7 +150,7 @@ class Drawn:
         """
         own = residuals(influence, self._drawn, self.design.margins)
         if np.abs(own).max(initial=0.0) < 1e-12:  # the weights were made to meet it
-            return Sampled(0.0, _MANY, 0.0)
+            return Sampled(0.0, _MANY, self.of_all_m2 if height else 0.0)
         apart = [one.apart(own[one.rows]) for one in self._strata]
         otherwise = mean_variance(np.concatenate(apart), self._kept), self._free
         inner = [one.within(here, otherwise) for one, here in zip(self._strata, apart, strict=True)]
@@ -171,7 +171,7 @@ class Drawn:
             inside += stratum.part**2 * within
             variance += stratum.part**2 * here
             squares += (stratum.part**2 * here) ** 2 / freedom
-        unseen = max(self._of_all_m2 - shared_seen, 0.0) if height else 0.0
+        unseen = max(self.of_all_m2 - shared_seen, 0.0) if height else 0.0
         freedom = variance**2 / squares if squares > 0.0 else _MANY
         within = min(inside / max(variance, 1e-300), 1.0)
         shift = min(shared_seen / max(variance, 1e-300), 1.0 - within)

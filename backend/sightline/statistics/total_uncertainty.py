@@ -22,7 +22,7 @@ from sightline.arrays import Floats, Ints
 from sightline.coverage import COVERAGE_95, MEAN_OF_INSET
 from sightline.enums import IntervalPart
 from sightline.messages.said import Said
-from sightline.statistics.deconvolution import SmoothDensity, noise_of, smooth_density
+from sightline.statistics.deconvolution import LEAST_SPREAD, SmoothDensity, noise_of, smooth_density
 from sightline.statistics.distributions import PERCENTILES, too_few_for, vehicles_for_interval
 from sightline.statistics.drawn import Drawn, Sampled, reorder_design
 from sightline.statistics.draws import LEVELS, OTHER, TAIL, ends_of, normal_draws
@@ -154,6 +154,9 @@ class TotalUncertainty:
         self._noise = noise_of(sample.u_random_m[order], spread_m2, weighs)
         self._noise_m2 = self._noise.variance_m2
         self._random = bool(np.any(sample.u_random_m > 0.0))
+        # Of a mean, what the heights' own errors are known to make at least.
+        self._known_m2 = float(np.sum(np.square(self._share * sample.u_random_m[order])))
+        self._known_m2 += self._drawn.of_all_m2
 
     @cached_property
     def _density(self) -> SmoothDensity | None:
@@ -281,8 +284,8 @@ class TotalUncertainty:
             return too_few_for(percent, self.n, int(self._n + 1e-9))
         if not self._drawn.tells_spread:
             return self._drawn.more_needed()
-        if self._density is None:
-            return Said("stat-true-heights-alike")
+        if self._spread_unknown is not None:
+            return self._spread_unknown
         if percent in self._in_order:
             return self._in_order[percent]
         own = self._confidence(percent / 100.0)
@@ -361,7 +364,7 @@ class TotalUncertainty:
         Cochran 1954), their road poses' errors included.
         """
         p = percent / 100.0
-        if self._density is None or not self._supported(percent):
+        if self._density is None or self._spread_unknown is not None or not self._supported(percent):
             return None
         slope = self._slope(p, self._density)
         sampling = float(np.sqrt(p * (1.0 - p))) / slope
@@ -372,14 +375,20 @@ class TotalUncertainty:
         return Components(sampling, self._drawn.between(smooth), float(np.sqrt(found.unseen)))
 
     def mean(self) -> TotalFigure:
-        """The mean height, metres: random errors leave it as it is."""
+        """The mean height, metres: random errors leave it as it is, and it is no surer than they are, however
+        close together the heights lie.
+        """
         value = float(self._height_m.mean()) if self._alike else self._mean(self._height_m)
         if self.n < 2 or not self._drawn.tells_spread:
             return without_interval(self._too_few(max(self.n + 1, 2)), value)
         influence = self._height_m - value
         found = self._drawn.sampled(influence)
         u_m2 = self._unseen(found, np.arange(self.n))
+        if found.variance == u_m2 == self._known_m2 == 0.0:
+            return without_interval(Said("stat-true-heights-alike"), value)
         low, high = ends_of(found.draws() + np.sqrt(u_m2) * normal_draws())
+        least = COVERAGE_95 * float(np.sqrt(self._known_m2))
+        low, high = min(low, -least), max(high, least)
         plain = self._mean(np.square(influence)) / self.n
         effect = found.variance / plain if plain > 0.0 else None
         return TotalFigure(value, value + low, value + high, effect=effect)
@@ -387,10 +396,20 @@ class TotalUncertainty:
     def sd(self) -> TotalFigure:
         """The standard deviation of the true heights, metres: what the errors added to it is taken out.
 
-        Of the measured heights' variance the logarithm has a Student interval; 0 where errors explain it all.
+        0 where errors explain it all; a reason where they would have set the heights further apart.
         """
         if self.n < 3 or not self._drawn.tells_spread:
             return without_interval(self._too_few(max(self.n + 1, 3)))
+        if self._spread_unknown is not None:
+            return without_interval(self._spread_unknown)
+        value, low, high = np.sqrt(np.maximum(self._true_m2, 0.0))
+        return TotalFigure(float(value), float(low), float(high))
+
+    @cached_property
+    def _true_m2(self) -> tuple[float, float, float]:
+        """The variance of the true heights and the ends of its interval, as estimated: below 0 where heights
+        scatter less than their errors. The logarithm of the measured variance has a Student interval.
+        """
         apart = np.square(self._height_m - self._mean(self._height_m))
         measured_m2 = self._mean(apart) * self._n / (self._n - 1.0)
         found = self._drawn.sampled(apart - self._mean(apart), height=False)
@@ -400,8 +419,14 @@ class TotalUncertainty:
         )
         value = measured_m2 - self._noise_m2
         low, high = ends_of(draws)
-        ends = np.sqrt(np.maximum([value, value + low, value + high], 0.0))
-        return TotalFigure(float(ends[0]), float(ends[1]), float(ends[2]))
+        return value, value + low, value + high
+
+    @cached_property
+    def _spread_unknown(self) -> Said | None:
+        """Why nothing is known of how far the true heights lie apart, None where it is."""
+        if self._height_m.std() <= LEAST_SPREAD:
+            return Said("stat-true-heights-alike")
+        return Said("stat-heights-closer-than-errors") if self._true_m2[2] <= 0.0 else None
 
     def share_below(self, limit_m: float) -> TotalFigure:
         """The share of the true heights below a limit, 0 to 1.
@@ -412,6 +437,8 @@ class TotalUncertainty:
         plain = self._mean(self._height_m < limit_m)
         if self._density is None or not self._drawn.tells_spread:
             return without_interval(self._too_few(vehicles_for_interval(50.0)), plain)
+        if self._spread_unknown is not None:
+            return without_interval(self._spread_unknown, plain)
         correction = self._density.share_correction(limit_m)
         n = self._effective_n(plain, limit_m)
         draws = scipy.special.betaincinv(n * plain + 0.5, n * (1.0 - plain) + 0.5, LEVELS) - plain

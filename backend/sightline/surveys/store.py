@@ -92,15 +92,6 @@ def classes_of_surveys(session: Session) -> dict[int, tuple[VehicleClass, ...]]:
     return {row.id: classes_of(row.classes) for row in rows}
 
 
-def survey_by_name(session: Session, name: str) -> Survey:
-    """The survey with this name (the newest of several). Raises NotFound, BadInput."""
-    query = select(surveys).where(surveys.c.name == name).order_by(surveys.c.id.desc()).limit(1)
-    row = session.execute(query).mappings().one_or_none()
-    if row is None:
-        raise BadInput("surveys-no-survey", name=name)
-    return _survey(dict(row))
-
-
 def demo_survey_id(session: Session) -> int | None:
     """The demonstration survey, if it was made."""
     query = select(surveys.c.id).where(surveys.c.is_demo).order_by(surveys.c.id.desc()).limit(1)

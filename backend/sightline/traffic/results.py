@@ -17,6 +17,7 @@ from typing import Any
 
 from sightline.errors import BadInput
 from sightline.infra.given_csv import GivenTable, read_table
+from sightline.infra.local_time import to_millisecond
 from sightline.linescan.clock import u_passing_s
 from sightline.linescan.parts import Rig, front_seen
 from sightline.linescan.rig import at_lane, require_rig, rig_from, speed_ratio_of
@@ -54,7 +55,7 @@ class StatedClock:
     start: datetime
 
     def at(self, seconds: float = 0.0) -> str:
-        at = self.start + timedelta(milliseconds=round(1000.0 * seconds))
+        at = to_millisecond(self.start + timedelta(seconds=seconds))
         return at.isoformat(timespec="milliseconds")
 
 

@@ -20,6 +20,9 @@ from sightline.export.report.height_figures import height_figures
 from sightline.export.report.marks import MAIN
 from sightline.export.report.said import speaking
 from sightline.export.report.units import format_fixed, limit
+from sightline.export.scans import TABLES as SCAN_TABLES
+from sightline.export.statistics_csv import TABLES as STATISTICS_TABLES
+from sightline.messages.said import Said
 from sightline.results.survey_statistics import Statistics, StatisticsOptions, standards_of
 from sightline.statistics.agreement import Trend
 from sightline.statistics.distributions import ecdf, sorted_values
@@ -120,7 +123,28 @@ def test_a_band_is_drawn_for_thirty_vehicles_and_more_and_the_caption_says_which
             assert isinstance(one, Drawing)
             assert (b"fill-opacity: 0.11" in one.svg or b"opacity: 0.11" in one.svg) == banded, name
             assert ("Band: 95 %" in one.caption) == banded, one.caption
+            assert ("sampling only." in one.caption) == banded, one.caption
             assert ("No band for fewer than 30 vehicles." in one.caption) != banded, one.caption
+
+
+@pytest.mark.parametrize(
+    "name", ["absolute-note", "density-note", "target-ecdf-note", "target-density-note", "percentiles-note"]
+)
+def test_the_pages_say_that_bands_include_sampling_only(name: str) -> None:
+    """Heights that share errors lie beside the truth together; no band of their shares or density knows."""
+    values = {"groups": "", "bandwidths": ""}
+    assert "sampling only" in str(Said(f"statistics-{name}", **values))
+
+
+def test_a_package_says_that_bands_include_sampling_only() -> None:
+    edges = [
+        one
+        for table in (*STATISTICS_TABLES, *SCAN_TABLES)
+        for one in table.columns
+        if "edge of the" in one.meaning
+    ]
+    assert len(edges) >= 12
+    assert all("sampling only" in one.meaning for one in edges), [one.meaning for one in edges]
 
 
 def test_standards_that_a_figure_does_not_reach_are_counted_below_it() -> None:

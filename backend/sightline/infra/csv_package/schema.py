@@ -198,8 +198,7 @@ def cell_text(column: Column[Never], value: Cell) -> str:
 
 def metres_text(length_m: float) -> str:
     """A length to the micrometre; zero has no sign."""
-    text = f"{length_m:.6f}"
-    return "0.000000" if text == "-0.000000" else text
+    return f"{length_m:z.6f}"
 
 
 def json_bytes(value: object) -> bytes:

@@ -51,7 +51,9 @@ class FigureBody(Out):
 
 @of_record(Ecdf)
 class EcdfBody(Out):
-    """Shares of a sample that are <= value, with a 95 % band that holds everywhere at once."""
+    """Shares of a sample that are <= value, with a 95 % band that holds everywhere at once; it includes
+    sampling only.
+    """
 
 
 @of_record(Density)

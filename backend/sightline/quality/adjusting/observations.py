@@ -103,14 +103,15 @@ def _tyres(
         return Said("adjustment-no-wheelbase")
     if max(lengths) - min(lengths) > _SAME_LENGTH_M:
         return Said("adjustment-several-wheelbases")
-    u_m = fitting[0].u_wheelbase_m
+    # of which of them it is, nothing is known: the least sure holds
+    u_m = max(u_wheelbase_m if one.u_wheelbase_m is None else one.u_wheelbase_m for one in fitting)
     return ObservedPass(
         name=f"{vehicle.number} tyres",
         frame=np.array([pair.frame, pair.frame]),
         point=np.array([REAR, FRONT]),
         points_px=np.array([pair.first, pair.second], dtype=np.float64),
         sigma_px=np.full(2, DEFAULT_SIGMA_PX),
-        wheelbase=Known(lengths[0], u_wheelbase_m if u_m is None else u_m),
+        wheelbase=Known(lengths[0], u_m),
     )
 
 

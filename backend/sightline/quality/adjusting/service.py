@@ -222,10 +222,12 @@ def take_back(session: Session, pose_id: int, *, actor: int) -> Job | None:
         raise Conflict("adjusting-nothing-in-force")
     for one in users:
         update_recording(session, one.id, {"pose_id": stored.adjusted_from}, actor=actor)
+    heights = list_measurements(session, stored.survey_id, include_repeats=True)
+    with_it = {one.computing_id for one in heights if one.values.pose_id == pose_id}
     mine = [
         one
         for one in list_computings(session, stored.survey_id)
-        if one.kind == "adjustment" and one.undone_by is None and one.created_at >= stored.created_at
+        if one.kind == "adjustment" and one.undone_by is None and one.id in with_it
     ]
     try:
         return ask_to_undo(session, mine[0].id, actor=actor) if mine else None

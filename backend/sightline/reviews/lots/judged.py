@@ -1,7 +1,7 @@
 """What the verdicts since the draw say of a lot's items: which are its sample, which left, which conform.
 
 An item conforms if it was accepted, or fixed by no more than its own U95. It does not if it was rejected, or
-fixed by more, or its height went. What is said first of the lot's revision counts, whatever comes after; an
+fixed by more, or its height went. What is said of the lot's revision counts, whatever comes after; an
 item changed before anybody judged it leaves the lot, and the next of the draw takes its place in the sample.
 """
 
@@ -69,17 +69,18 @@ def _item(item: ItemNow, role: LotRole, conforming: bool | None, why: LotLeaving
 
 
 def _follow_verdicts(item: ItemNow) -> tuple[int, bool | None]:
-    """The revision that the verdicts led to, and what they say of the lot's; a reopened one waits again."""
-    standing, conforming = item.revision, None
+    """The revision that the verdicts led to, and what they say of the lot's; a reopened one waits again, but
+    once it changed, what was said before counts.
+    """
+    standing, conforming, waits = item.revision, None, False
     for judgement in item.said:
         if judgement.revision != standing:
             continue
         standing = judgement.result_revision
-        if judgement.verdict == "reopened":
-            conforming = None
-        else:
+        waits = judgement.verdict == "reopened"
+        if not waits:
             conforming = judgement.verdict != "rejected" and not _has_moved(item, standing)
-    return standing, conforming
+    return standing, None if waits and _left(item, standing) is None else conforming
 
 
 def _has_moved(item: ItemNow, standing: int) -> bool:

@@ -101,8 +101,10 @@ def dissolve_lot(session: Session, lot_id: int, *, actor: int) -> Lot:
     again until a sample pleases would need no sample.
     """
     lot = _open(session, lot_id)
-    items = _items(session, lot)
-    if any(one.conforming is not None for one in items if one.role == "sample"):
+    now = query.items_now(session, (lot,))[lot.id]
+    items = items_of(now, lot.sample_size)
+    sample = {one.measurement_id for one in items if one.role == "sample"}
+    if any(one.said for one in now if one.measurement_id in sample):
         raise Conflict("lots-judged-already")
     store.add_decision(session, lot, "dissolved", items, actor=actor)
     return query.get_lot(session, lot_id)

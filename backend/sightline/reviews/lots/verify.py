@@ -4,6 +4,7 @@ from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
+from itertools import product
 from typing import Any
 
 from sightline.errors import Damaged
@@ -131,7 +132,7 @@ def _check_decisions(
     if list(first.sample) != drawn[: lot.sample_size] or first.rest != len(drawn) - len(first.sample):
         raise Damaged("lots-sample-differs", id=lot.id)
     span = (int(draw["event"]), int(decisions[0]["event"]))
-    least, most, judged = 0, 0, 0
+    least, most, judged, perhaps = 0, 0, 0, 0
     for item in items:
         if item.role != "sample":
             continue
@@ -139,10 +140,11 @@ def _check_decisions(
         conforming = _conforming(
             item, said, heights.get(item.measurement_id) if there(item.measurement_id) else None
         )
-        judged += conforming is not None
+        judged += None not in conforming
+        perhaps += conforming != {None}
         least += conforming == {False}
-        most += conforming is not None and False in conforming
-    if judged != first.judged or not least <= first.nonconforming <= most:
+        most += False in conforming
+    if not judged <= first.judged <= perhaps or not least <= first.nonconforming <= most:
         raise Damaged("lots-counts-differ", id=lot.id)
     enough = first.judged == len(first.sample) > 0 and first.nonconforming <= lot.acceptance_number
     if first.choice == "accepted" and not enough:
@@ -154,27 +156,32 @@ _COURSES = (["accepted"], ["full_inspection"], ["dissolved"], ["accepted", "take
 
 def _conforming(
     item: LotItem, events: Sequence[Event], heights: Mapping[int, tuple[float | None, float | None]] | None
-) -> set[bool] | None:
-    """What the verdicts may say of an item: None where nobody judged it; both where a fix moved it by just
-    about its U95, or where its heights are not in the package any more (its vehicle was deleted).
+) -> set[bool | None]:
+    """What the verdicts may say of an item: None where nobody judged it; more where a fix moved it by just
+    about its U95, where its heights are not in the package any more (its vehicle was deleted), or where a
+    reopened one changed, before the decision or after it.
     """
     verdicts = [
         Judgement(int(each["revision"]), int(each["result_revision"]), each["verdict"]) for each in events
     ]
     answers: set[bool | None] = set()
-    for hair in (-_LENGTH_M, _LENGTH_M) if heights is not None else (-1e9, 1e9):
-        known = heights if heights is not None else {each: (0.0, 0.0) for each in _revisions(item, verdicts)}
+    said_of = _revisions(item, verdicts)
+    newest = max(said_of)
+    changes = (0, 1) if heights is None or max(heights) > newest else (0,)
+    hairs = (-_LENGTH_M, _LENGTH_M) if heights is not None else (-1e9, 1e9)
+    for hair, change in product(hairs, changes):
+        known = heights if heights is not None else {each: (0.0, 0.0) for each in said_of}
         moved = {each: (height, None if u95 is None else u95 + hair) for each, (height, u95) in known.items()}
         now = ItemNow(
             measurement_id=item.measurement_id,
             revision=item.revision,
             place=1,
-            newest=max(_revisions(item, verdicts)),
+            newest=newest + change,
             said=verdicts,
             heights=moved,
         )
         answers.add(items_of([now], 1)[0].conforming)
-    return None if None in answers else {bool(each) for each in answers}
+    return answers
 
 
 def _revisions(one: LotItem, verdicts: Sequence[Judgement]) -> set[int]:

@@ -40,7 +40,7 @@ export function SpreadFigure({ spread }: { spread: ScanSpread }) {
   const percentiles = apart(asked.map((one) => percentileWords(one, by)));
   const notes = [
     percentiles && say("motion-spread-note", { unit, percentiles }),
-    there ? noBandWords(ecdf.n) : null,
+    there ? (noBandWords(ecdf.n) ?? say("statistics-target-ecdf-note")) : null,
   ];
   return (
     <PlotFigure
