@@ -102,6 +102,9 @@ test-browser:
 proofs: export OPENBLAS_NUM_THREADS := 1
 proofs: setup .build/python-dev .build/chromium
 	@SIGHTLINE_PROOFS=1 SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n 2 --dist worksteal -m "proof or hypothesis" --ignore=tests/browser
+	@if [ -n "$$SIGHTLINE_TEST_DATABASE_URL" ]; then \
+	   $(BIN)/python -m pytest -n 2 --dist worksteal -m "dialect and proof and not once" \
+	   $$(grep -rl 'mark\.dialect' tests --include='test_*.py'); fi
 	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n $(BROWSERS) --dist loadgroup --no-loadscope-reorder -m proof tests/browser
 	@$(BIN)/python tests/bench/bench_linescan_coverage.py direct --write
 

@@ -23,6 +23,7 @@ from sightline.export.page import tables_of_page
 from sightline.geometry.insets import USUAL_INSETS
 from sightline.infra.web.error_handlers import _complaint
 from sightline.measurements.again.csv import COMPUTINGS
+from sightline.messages import Value
 from sightline.messages.recognised import COLUMNS, IN_UTC, TOLD, translate_text, translated_meaning
 from sightline.messages.said import Said
 from sightline.results.usual_standards import STANDARDS
@@ -407,6 +408,15 @@ def test_none_is_not_said_to_be_one_in_french_whose_singular_holds_for_0(
     told = messages.say(key, counted, "fr")
     assert "0" in told
     assert not re.search(r"\b1\b|\bune?\b", told)
+
+
+@pytest.mark.parametrize("language", messages.languages())
+def test_halves_are_rounded_as_tables_and_pages_round_them(language: str) -> None:
+    told = [messages.say("sheet-metres", {"metres": one}, language) for one in (0.125, 2.675, -0.125)]
+    sign = messages.decimal_sign(language)
+    assert told == [f"{one} m".replace(".", sign) for one in ("0.13", "2.68", "-0.13")]
+    share: dict[str, Value] = {"share": 4, "camera_sd_m": 0.0125}
+    assert "13 mm" in messages.say("stat-reference-explains", share, language)
 
 
 def test_a_value_that_is_missing_is_no_sentence() -> None:

@@ -5,8 +5,9 @@ import io
 import json
 import zipfile
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +28,7 @@ from tests.support.app import Client, error_of
 
 FLEET_CSV = "category,share\nhatchback,0.4\nsaloon,0.2\nestate,0.1\nsuv,0.3\nvan,0\nlorry,0\n"
 Work = Callable[[], list[Job]]
+Unread = Callable[[], AbstractContextManager[None]]
 CODES = {None, *(one.code for one in STANDARDS)}
 TABLES = ("figures", "rules", "years", "errors", "classes", "plan")
 
@@ -73,7 +75,9 @@ def test_what_heights_change_is_told_in_the_units_that_are_stored() -> None:
 
 
 @pytest.mark.once
+@pytest.mark.parametrize("drawn", [False, pytest.param(True, marks=pytest.mark.proof)])
 def test_a_study_of_two_sites(
+    drawn: bool,
     simulated: int,
     operator: Client,
     services: Services,
@@ -82,7 +86,8 @@ def test_a_study_of_two_sites(
     capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """One ground for all of it, for making the sites is what takes long."""
+    """One ground for all of it, for making the sites is what takes long; `drawn`: with every report."""
+    unread: Unread = nullcontext if drawn else partial(_reports_that_nobody_reads, monkeypatch)
     page = operator.seen(f"/studies/{simulated}")
     assert page["study"]["simulated"] and page["job"] is None
     first = page["result"]["found"]
@@ -95,7 +100,7 @@ def test_a_study_of_two_sites(
     _the_report_says_what_matters_first(operator, page["result"])
     _a_class_that_no_survey_saw_is_said(operator, work, page)
     page = operator.seen(f"/studies/{simulated}")
-    with _reports_that_nobody_reads(monkeypatch):
+    with unread():
         result, sites_csv = _computed_again(operator, work, page)
         told = _by_the_command(operator, work, page, sites_csv, tmp_path, capsys)
     _are_the_same(result["found"], told)
@@ -106,9 +111,9 @@ def test_a_study_of_two_sites(
         rows = list(csv.DictReader(io.StringIO(archive.read("packages.csv").decode())))
         assert [one["place"] for one in rows] == ["survey 1", "survey 2"]
         assert "Simulated" in archive.read("datapackage.json").decode()
-    with _reports_that_nobody_reads(monkeypatch):
+    with unread():
         _two_years_are_compared(operator, work, operator.seen(f"/studies/{simulated}"))
-    _two_studies_are_compared(operator, work, operator.seen(f"/studies/{simulated}"), monkeypatch)
+    _two_studies_are_compared(operator, work, operator.seen(f"/studies/{simulated}"), unread)
     with services.reading() as session:
         assert verify_records(session).ok
 
@@ -228,9 +233,7 @@ def _a_study_of_simulated_surveys_says_so(operator: Client, page: dict[str, Any]
         assert "true" in archive.read("packages.csv").decode().splitlines()[1].split(",")
 
 
-def _two_studies_are_compared(
-    operator: Client, work: Work, page: dict[str, Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def _two_studies_are_compared(operator: Client, work: Work, page: dict[str, Any], unread: Unread) -> None:
     """A study of each site alone: what years told of the two, studies tell too."""
     made = []
     for one in changed(page)["surveys"]:
@@ -240,7 +243,7 @@ def _two_studies_are_compared(
     operator.made(f"/studies/{first['id']}/computings")
     work()
     operator.made(f"/studies/{second['id']}/computings")
-    with _reports_that_nobody_reads(monkeypatch):
+    with unread():
         work()
     _a_study_of_simulated_surveys_says_so(operator, operator.seen(f"/studies/{first['id']}"))
     found = operator.seen(f"/studies/{second['id']}/beside/studies/{first['id']}")

@@ -22,7 +22,7 @@ from tests.support.kept import run_folder
 from tests.support.proofs import PROOFS
 
 # What says of the drawing itself that the same tables give the same bytes draws every time.
-_DRAWN_ANEW = ("test_export_language", "test_figures")
+_DRAWN_ANEW = ("test_export_language", "test_figures", "test_report")
 _SAME_BYTES = ("test_the_same_facts_give_the_same_bytes", "test_the_button_makes_a_package")
 # What scenes are drawn of, and the modules that call it.
 _SCENERY: tuple[tuple[Any, ...], ...] = (

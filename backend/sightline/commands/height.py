@@ -28,6 +28,7 @@ from sightline.geometry.followed_tracks import Following
 from sightline.geometry.height import Height, measure_height, not_measurable
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.whole_pass import WholePass, measure_pass
+from sightline.messages import write_fixed
 from sightline.messages.said import Said
 
 
@@ -125,7 +126,8 @@ def _height_lines(measured: Height, how: str = "") -> list[str]:
     """A height and its notes, a line each; `how`: what is said of it behind its interval."""
     if measured.height_m is None or measured.U95_height_m is None:
         return [f"not measurable: {measured.reason}"]
-    value = f"{measured.height_m:.3f} m ± {measured.U95_height_m:.3f} m (95 %){how}"
+    height, U95 = (write_fixed(one, 3) for one in (measured.height_m, measured.U95_height_m))
+    value = f"{height} m ± {U95} m (95 %){how}"
     return [value, *(f"note: {flag}" for flag in measured.flags)]
 
 

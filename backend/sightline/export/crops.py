@@ -22,6 +22,7 @@ from sightline.measurements.csv import TARGETS
 from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues
 from sightline.media.images import jpeg
 from sightline.media.video.picture import Bgr
+from sightline.messages import write_fixed
 from sightline.recordings.frames.stills import stills_of
 
 MARGIN_PX = 48
@@ -177,7 +178,8 @@ def label_of(target: str, height_m: float | None, U95_m: float | None) -> str:
     word = {"driver_eye": "driver's eye"}.get(target, target)
     if height_m is None:
         return f"{word}, no height"
-    return f"{word} {height_m:.3f} m" if U95_m is None else f"{word} {height_m:.3f} ± {U95_m:.3f} m"
+    height = write_fixed(height_m, 3)
+    return f"{word} {height} m" if U95_m is None else f"{word} {height} ± {write_fixed(U95_m, 3)} m"
 
 
 def overlay(row: Mapping[str, Any], label: str) -> bytes:

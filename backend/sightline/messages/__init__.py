@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
+from decimal import ROUND_HALF_UP, Decimal, localcontext
 from functools import cache
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
@@ -75,7 +76,8 @@ def entries(text: str) -> dict[str, str]:
 def _format_message(bundle: FluentBundle, key: str, values: Mapping[str, Any]) -> str:
     pattern = bundle.get_message(key).value
     assert pattern is not None, key
-    text, errors = bundle.format_pattern(pattern, dict(values))
+    with localcontext(rounding=ROUND_HALF_UP):
+        text, errors = bundle.format_pattern(pattern, dict(values))
     if errors:
         raise ValueError(f"{key}: {'; '.join(str(error) for error in errors)}")
     return str(text)
@@ -94,6 +96,11 @@ def _fluent_value(value: Value) -> Any:
 def write_count(count: int) -> str:
     """A count as sentences have it."""
     return _number("en")(count)
+
+
+def write_fixed(value: float, digits: int) -> str:
+    """A number with so many decimals; halves of its fewest digits go away from zero, as in browsers."""
+    return f"{Decimal(str(value)).quantize(Decimal(1).scaleb(-digits), ROUND_HALF_UP):f}"
 
 
 def _number(locale: str) -> Callable[..., str]:

@@ -1,18 +1,24 @@
-/** Scrolls the row's own list so far that the row is seen and the list begins with a whole one, and nothing else: a page
- * that scrolled too would take the picture from under the pointer. */
-export function bringInSight(row: Element | null | undefined): void {
+/** Scrolls the list of a box so far that its row `[name="id"]` is seen and the list begins with a whole one, and nothing
+ * else: a page that scrolled too would take the picture from under the pointer. `name` marks every row. */
+export function bringInSight(box: Element | null, name: string, id: number | null): void {
+  const row = box?.querySelector(`[${name}="${id}"]`);
   let list = row?.parentElement;
   while (list && !(list.scrollHeight > list.clientHeight && scrolls(list))) list = list.parentElement;
-  if (!row || !list || list.id === "main") return;
+  if (!box || !row || !list || list.id === "main") return;
   const [seen, place] = [list.getBoundingClientRect(), row.getBoundingClientRect()];
-  if (place.top < seen.top) list.scrollTop -= seen.top - place.top;
+  const begin = Math.max(seen.top, ...[...list.querySelectorAll("thead th")].map(bottomIfItStays));
+  if (place.top < begin) list.scrollTop -= begin - place.top;
   else if (place.bottom > seen.bottom) {
     list.scrollTop += place.bottom - seen.bottom;
-    const first = document.elementFromPoint(place.left + 1, seen.top + 1)?.closest(row.localName);
-    if (!first || first === row || !list.contains(first)) return;
-    const { top, bottom } = first.getBoundingClientRect();
-    if (top < seen.top && bottom > seen.top) list.scrollTop += bottom - seen.top;
+    const rows = [...box.querySelectorAll(`[${name}]`)];
+    const before = rows.slice(0, rows.indexOf(row)).reverse();
+    const cut = before.find((one) => one.getBoundingClientRect().top < begin);
+    if (cut) list.scrollTop += Math.max(0, cut.getBoundingClientRect().bottom - begin);
   }
+}
+
+function bottomIfItStays(head: Element): number {
+  return getComputedStyle(head).position === "sticky" ? head.getBoundingClientRect().bottom : -Infinity;
 }
 
 function scrolls(element: Element): boolean {

@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
 import type { Row } from "./csv";
-import { shownHeight } from "./digits";
+import { fixed, shownHeight } from "./digits";
 import { decimal, told } from "./language";
 import type { Again } from "./measured";
 import { again, type Opened } from "./opened";
@@ -187,7 +187,7 @@ function hereWords(found: Again | undefined, print = nanometres): string {
   return height === null ? say("opened-height-none") : say("opened-height-here", { height_m: print(height) });
 }
 
-const nanometres = (metres: number) => decimal(metres.toFixed(9));
+const nanometres = (metres: number) => fixed(metres, 9);
 
 function Detail({ row, found }: { row: Row; found: Opened }) {
   const id = row["id"] ?? "";
@@ -250,7 +250,7 @@ function point(row: Row, name: "contact" | "target"): string {
 /** How far the height here is from that of the package. */
 function offRow(mine: Again | undefined): [string, string][] {
   if (!mine || mine.off_m === null) return [];
-  const off_nm = decimal((mine.off_m * 1e9).toFixed(1));
+  const off_nm = fixed(mine.off_m * 1e9, 1);
   return [[say("opened-pair-off"), say("opened-nanometres", { off_nm })]];
 }
 

@@ -1,6 +1,6 @@
 /** With how many digits the page prints the numbers of a package's tables: as its report does. */
 import { type Row, unsafe } from "./csv";
-import { decimal } from "./language";
+import { decimal, language } from "./language";
 
 const HEIGHT_DIGITS = 3;
 const SMALL_DIGITS = 4;
@@ -15,11 +15,24 @@ export function shown(path: string, name: string, row: Row): string {
   const text = row[name] ?? "";
   if (!/^-?\d+\.\d+(?:e-?\d+)?$/.test(text)) return unsafe(text);
   if (name === "percent") return decimal(String(Number(text)));
-  return decimal(Number(text).toFixed(digits(path, name, row)));
+  return fixed(Number(text), digits(path, name, row));
 }
 
 export function shownHeight(metres: string | number): string {
-  return decimal(Number(metres).toFixed(HEIGHT_DIGITS));
+  return fixed(Number(metres), HEIGHT_DIGITS);
+}
+
+const formats = new Map<string, Intl.NumberFormat>();
+
+/** Fixed decimals, halves of a number's fewest digits away from zero; `toFixed` rounds what it is in binary. */
+export function fixed(value: number, decimals: number): string {
+  const key = `${language.value} ${decimals}`;
+  const sizes = { minimumFractionDigits: decimals, maximumFractionDigits: decimals };
+  const format =
+    formats.get(key) ??
+    new Intl.NumberFormat(language.value, { ...sizes, useGrouping: false, signDisplay: "negative" });
+  formats.set(key, format);
+  return format.format(value);
 }
 
 function digits(path: string, name: string, row: Row): number {

@@ -12,6 +12,7 @@ import pytest
 from matplotlib.axes import Axes
 
 from sightline.enums import LengthUnit, StatisticsTarget
+from sightline.export.crops import label_of
 from sightline.export.report import labels, marks
 from sightline.export.report.canvas import FAINT, FULL, HALF, Drawing, svg
 from sightline.export.report.error_figures import error_figures
@@ -274,6 +275,7 @@ def test_numbers_for_people() -> None:
     # as the pages print them (frontend/src/core/units.test.ts), though 1.1475 in binary lies below the half
     assert [format_fixed(value, 3) for value in (1.1475, 1.0005, 1.2345)] == ["1.148", "1.001", "1.235"]
     assert [format_fixed(value, 1) for value in (2.15, 0.35)] == ["2.2", "0.4"]
+    assert label_of("roof", 1.1475, 0.0125) == "roof 1.148 ± 0.013 m"
     assert [limit(1.08, "m"), limit(1.105, "m"), limit(1.08, "ft")] == [
         "1.08\u00a0m",
         "1.105\u00a0m",

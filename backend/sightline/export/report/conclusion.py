@@ -10,7 +10,7 @@ from sightline.export.report import words
 from sightline.export.report.crest import consequence
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.said import sentence_of_key, sentence_of_said, spoken_language
-from sightline.export.report.units import HEIGHT, SMALL, Scale, decimal, limit, percent
+from sightline.export.report.units import HEIGHT, SMALL, Scale, decimal, format_fixed, limit, percent
 from sightline.results.survey_statistics import RULE_OF, Statistics
 from sightline.results.usual_standards import in_language
 from sightline.statistics.errors import Interval
@@ -92,7 +92,7 @@ def _risk(risk: float | None) -> str:
     """A risk in per cent; none is said to be smaller than draws can tell."""
     if risk is None or risk < 0.001:
         return sentence_of_key("report-less-than", percent=decimal("0.1 %"))
-    return decimal(f"{100 * risk:.1f} %")
+    return f"{format_fixed(100 * risk, 1)} %"
 
 
 def in_brackets(low: float | None, high: float | None, scale: Scale) -> str:

@@ -11,6 +11,7 @@ from sightline.export.report.words import date_words, join_with_semicolons
 from sightline.export.verdicts import VerdictCounts
 from sightline.infra.csv_package.columns import code_in
 from sightline.infra.local_time import zone_of
+from sightline.messages import write_fixed
 
 _MOST_VERSIONS = 6
 _MOST_IN_HEAD = 70  # characters of a name in the running head
@@ -81,7 +82,8 @@ def _place(facts: ReportFacts) -> str | None:
     """Coordinates, class of the road, lane, travel direction, limit and lamps, as far as said."""
     place, words = facts.place, []
     if place.latitude_deg is not None and place.longitude_deg is not None:
-        latitude, longitude = (decimal(f"{at:.5f}") for at in (place.latitude_deg, place.longitude_deg))
+        degrees = (place.latitude_deg, place.longitude_deg)
+        latitude, longitude = (decimal(write_fixed(at, 5)) for at in degrees)
         words.append(sentence_of_key("report-coordinates", latitude=latitude, longitude=longitude))
     words += [one for one in (place.road_class, place.lane, place.travel_direction) if one is not None]
     if place.speed_limit_mps is not None:

@@ -5,11 +5,11 @@
 """
 
 from dataclasses import dataclass
-from decimal import ROUND_HALF_UP, Decimal
 from typing import Any
 
 from sightline.enums import LengthUnit
 from sightline.export.report.said import Called, sentence_of_key
+from sightline.messages import write_fixed
 
 NONE = "–"
 _FOOT_M = 0.3048
@@ -71,12 +71,10 @@ def limit(height_m: float, unit: LengthUnit) -> str:
 
 
 def format_fixed(value: float, digits: int, *, signed: bool = False) -> str:
-    """Fixed decimals with a true minus sign and the language's decimal sign; what rounds to zero has none.
-    Halves are those of the number as it is written, in its fewest digits: browsers round so.
-    """
-    shown = Decimal(str(value)).quantize(Decimal(1).scaleb(-digits), ROUND_HALF_UP)
-    sign = "" if shown == 0 else "−" if shown < 0 else "+" if signed else ""
-    return sign + decimal(f"{abs(shown):f}")
+    """Fixed decimals with a true minus sign and the language's decimal sign; what rounds to zero has none."""
+    shown = write_fixed(abs(value), digits)
+    sign = "" if float(shown) == 0 else "−" if value < 0 else "+" if signed else ""
+    return sign + decimal(shown)
 
 
 def decimal(text: str) -> str:

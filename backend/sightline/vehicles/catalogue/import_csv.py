@@ -22,6 +22,7 @@ from sightline.infra.given_csv import (
     require_standard,
     strip_formula_apostrophe,
 )
+from sightline.messages import write_fixed
 from sightline.messages.said import Said, with_commas
 from sightline.vehicles.catalogue.records import (
     SIZES,
@@ -272,8 +273,8 @@ def _differences(before: CatalogueRow, row: CatalogueRow) -> Said:
         old, new = before.size(name), row.size(name)
         if old is not None and new is not None and not is_same_cell(old, new):
             source = before.source_of(name)
-            said = f"{name} {old:.3f} m" + (f" ({source})" if source else "")
-            differences.append(Said("catalogue-differs", here=f"{new:.3f} m", there=said))
+            said = f"{name} {write_fixed(old, 3)} m" + (f" ({source})" if source else "")
+            differences.append(Said("catalogue-differs", here=f"{write_fixed(new, 3)} m", there=said))
     for field in (*_UNCERTAINTIES, "category", "year_to"):
         old, new = getattr(before, field), getattr(row, field)
         if not _empty(old) and not _empty(new) and not is_same_cell(old, new):

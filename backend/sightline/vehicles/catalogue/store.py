@@ -15,6 +15,7 @@ from sightline.infra.audit import trail
 from sightline.infra.audit.hashing import content_hash
 from sightline.infra.database.rows import add_row, change_row, get_row
 from sightline.infra.database.types import columns_of, now
+from sightline.messages import write_fixed
 from sightline.vehicles.catalogue.records import (
     SIZES,
     CatalogueEntry,
@@ -173,7 +174,7 @@ def _require_size(name: ModelSize, value: float | None) -> None:
                 column=f"{name}_m",
                 value=f"{value:g}",
                 unit=UNIT_WORDS[unit],
-                metres=f"{value * METRES[unit]:.3f}",
+                metres=write_fixed(value * METRES[unit], 3),
             )
     raise BadInput("catalogue-size-impossible", column=f"{name}_m", value=f"{value:g}", low=low, high=high)
 

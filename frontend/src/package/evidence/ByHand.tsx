@@ -1,6 +1,6 @@
 /** Both pictures with boundaries that the reader sets, laid over each other, and what these boundaries give. */
 import { useState } from "preact/hooks";
-import { decimal } from "../language";
+import { fixed } from "../digits";
 import { Grid } from "../Section";
 import { say } from "../say";
 import { allSet, type Hand, plainOf, spanOf, speedOf } from "./byHand";
@@ -171,7 +171,7 @@ function Table({ evidence, hand, place }: TableProps) {
                   onInput={taken((line) => place(name, line))}
                 />
               </td>
-              <td>{decimal(m[name].toFixed(1))}</td>
+              <td>{fixed(m[name], 1)}</td>
             </tr>
           );
         })}
@@ -198,13 +198,13 @@ function Table({ evidence, hand, place }: TableProps) {
 function speedWords(speed_mps: number | null, none: string): string {
   if (speed_mps === null) return none;
   return say("opened-evidence-speed-of", {
-    kmh: decimal((KMH * speed_mps).toFixed(2)),
-    mps: decimal(speed_mps.toFixed(3)),
+    kmh: fixed(KMH * speed_mps, 2),
+    mps: fixed(speed_mps, 3),
   });
 }
 
 function lengthWords(length_m: number | null, none: string): string {
-  return length_m === null ? none : `${decimal(length_m.toFixed(3))}\u00a0m`;
+  return length_m === null ? none : `${fixed(length_m, 3)}\u00a0m`;
 }
 
 interface OverlayProps {
@@ -312,8 +312,8 @@ function Overlay({ evidence, addresses, hand, zoom }: OverlayProps) {
       </div>
       <p data-testid="shift-words">
         {say("opened-evidence-shift-words", {
-          lines: decimal(shift.toFixed(1)),
-          ms: decimal(((1e3 * shift) / rate).toFixed(3)),
+          lines: fixed(shift, 1),
+          ms: fixed((1e3 * shift) / rate, 3),
           speed: speedWords(speedOf(Math.abs(shift), baseline_m, rate), say("opened-evidence-no-shift")),
         })}
       </p>

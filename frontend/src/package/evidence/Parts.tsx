@@ -1,4 +1,5 @@
 /** What the file says, part by part; every number as it stands there. */
+import { fixed } from "../digits";
 import { decimal, told } from "../language";
 import { Facts, Grid, Section } from "../Section";
 import { say } from "../say";
@@ -14,8 +15,6 @@ function withU(value: number | null, u: number | null, unit: string): string {
   const decimals = Math.min(12, Math.max(0, 1 - Math.floor(Math.log10(u))));
   return say("opened-evidence-with-u", { value: fixed(value, decimals), u: fixed(u, decimals), unit });
 }
-
-const fixed = (value: number, decimals: number) => decimal(value.toFixed(decimals));
 
 const times = (value: number | null, factor: number) => (value === null ? null : value * factor);
 

@@ -37,7 +37,7 @@ export function PassList({ model }: { model: MeasureModel }) {
   useOneTabStop(box, ".pass");
   useSignalEffect(() => {
     const id = model.vehicleId.value;
-    requestAnimationFrame(() => bringInSight(box.current?.querySelector(`[data-vehicle="${id}"]`)));
+    requestAnimationFrame(() => bringInSight(box.current, "data-vehicle", id));
   });
   return (
     <nav class="passes" aria-label={say("measure-passes")}>

@@ -25,7 +25,7 @@ export function Queue({ model }: { model: ReviewModel }) {
   useOneTabStop(box, ".pass");
   useSignalEffect(() => {
     const id = model.currentId.value;
-    requestAnimationFrame(() => bringInSight(box.current?.querySelector(`[data-measurement="${id}"]`)));
+    requestAnimationFrame(() => bringInSight(box.current, "data-measurement", id));
   });
   return (
     <nav class="passes" aria-label={say("review-queue")}>

@@ -20,7 +20,7 @@ export function VehicleTable({ model }: { model: ScanModel }) {
   useOneTabStop(box, ".scan__pick");
   useSignalEffect(() => {
     const id = model.chosenId.value;
-    requestAnimationFrame(() => bringInSight(box.current?.querySelector(`[data-vehicle="${id}"]`)));
+    requestAnimationFrame(() => bringInSight(box.current, "data-vehicle", id));
   });
   const vehicles = model.vehicles.value;
   const clock = model.scan.value?.started_at != null;
