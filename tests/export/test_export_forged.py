@@ -258,6 +258,8 @@ def test_what_an_anchor_reaches_is_told(package: Path, capsys: pytest.CaptureFix
         assert "rewritten, or is of another installation" in str(check_with(*given).problem)
     found = check_with(signed(len(events) + 1, "b" * 64))
     assert "is older than the checkpoint" in str(found.problem) and "restore" not in str(found.problem)
+    chain = "survey/99"
+    assert "of another survey or installation" in str(check_with(end, signed(1, "b" * 64)).problem)
 
 
 @pytest.mark.once
