@@ -197,6 +197,12 @@ def test_the_command_writes_a_file_that_verify_takes(
     key = said.rsplit("key ", 1)[1].strip(".\n")
     assert main(["verify", str(place), "--key", key]) == 0
     assert "decision are valid" in capsys.readouterr().out
+    kept = tmp_path / "kept.json"
+    assert main(["checkpoint", "-o", str(kept)]) == 0
+    capsys.readouterr()
+    for name, value in (("head", "0" * 64), ("checkpoint", str(kept))):
+        assert main(["verify", str(place), f"--{name}", value]) == 2
+        assert f"--{name} has no effect here" in capsys.readouterr().err
     place.write_text(place.read_text().replace('"number":2', '"number":3', 1))
     assert main(["verify", str(place)]) == 1
     assert "signature is not valid" in capsys.readouterr().err

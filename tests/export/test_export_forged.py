@@ -19,6 +19,9 @@ import pytest
 from sightline.cli import main
 from sightline.export.verify.package import PackageCheck, verify_package
 from sightline.infra.audit.anchors import Anchors
+from sightline.infra.audit.merkle import root_of
+from sightline.infra.audit.records import AuditHead
+from sightline.infra.audit.signing import SigningKey
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.csv_package.schema import json_bytes, sha256_hex
 from sightline.infra.services import Services
@@ -177,26 +180,97 @@ def test_the_head_of_the_report_vouches_for_the_rows_and_says_so(package: Path) 
 
 
 @pytest.mark.once
-def test_anchors_hold_in_some_place_and_in_every_place_some(
+def test_anchors_hold_in_every_place(
     package: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Of a survey's package, a copy, and a copy that somebody rewrote and signed."""
+    """Of a survey's package, a copy, and a copy that somebody forged, with a seal and a signature of it."""
     first, last = (rows(package, "audit.csv")[at]["hash"] for at in (0, -1))
     kept = shutil.copyfile(package / "checkpoint.json", tmp_path / "kept.json")
     again, forged = (shutil.copytree(package, tmp_path / name) for name in ("again", "forged"))
-    edit(forged, "crops.csv", lambda row: row["file"] != "", reason="x")
-    reseal(forged)
+    rewrite(forged, "people.csv", [{**row, "name": "X"} for row in rows(forged, "people.csv")])
+    rederive(forged)
     both = ["verify", str(package), str(again), "--head", first, "--head", last, "--checkpoint", str(kept)]
     assert main([*both, "--json"]) == 0
     told = json.loads(capsys.readouterr().out)
-    assert (told["status"], told["problems"], len(told["places"])) == ("holds", [], 2)
+    assert (told["status"], told["problems"]) == ("holds", [])
+    assert [one["place"] for one in told["places"]] == [str(package), str(again)]
     assert main(["verify", str(package), "--head", first, "--head", "0" * 64]) == 1
-    assert "0" * 64 in capsys.readouterr().err
-    assert main(["verify", str(package), str(forged)]) == 1
-    for given in (["--head", last], ["--checkpoint", str(kept)]):
+    assert "the given audit head 0000000000000000" in capsys.readouterr().err
+    assert main(["verify", str(package), str(forged)]) == 0
+    for given in (["--head", last], ["--checkpoint", str(kept)], ["--head", first, "--head", last]):
         assert main(["verify", str(package), str(forged), *given]) == 1
         said = capsys.readouterr()
         assert said.err.startswith(f"{forged}: ") and str(package) in said.out
+
+
+@pytest.mark.once
+def test_no_place_hides_another(package: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What is broken, what is no package and what is not there are all told, also as JSON."""
+    broken, nothing, away = shutil.copytree(package, tmp_path / "broken"), tmp_path / "n.zip", tmp_path / "a"
+    (broken / "audit.csv").write_bytes(b"")
+    nothing.write_text("PK")
+    assert main(["verify", str(broken), str(nothing), str(package), str(away), "--json"]) == 1
+    said = capsys.readouterr()
+    told = json.loads(said.out)
+    assert [one["status"] for one in told["places"]] == ["broken", "refused", "holds", "refused"]
+    assert told["status"] == "broken" and len(told["problems"]) == 3
+    assert all(str(place) in said.err for place in (broken, nothing, away)) and said.err.count("\n") == 3
+    assert main(["verify", str(package), str(away), "--json"]) == 2
+    assert json.loads(capsys.readouterr().out)["status"] == "refused"
+    assert main(["verify", str(nothing), "--json"]) == 2
+    assert json.loads(capsys.readouterr().out)["status"] == "refused"
+
+
+@pytest.mark.once
+@pytest.mark.parametrize("planted", ["sightline.db", "manifest.json"])
+def test_nothing_that_is_planted_hides_a_package(
+    package: Path, planted: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (package / planted).write_text("{}")
+    for removed in ("", "SHA256SUMS"):
+        (package / (removed or "none")).unlink(missing_ok=True)
+        assert main(["verify", str(package)]) == 2
+        said = capsys.readouterr().err
+        assert planted in said and "belong to different things" in said
+
+
+@pytest.mark.once
+def test_what_an_anchor_reaches_is_told(package: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Of a head and of a checkpoint alike; of two checkpoints of one moment, each is held."""
+    events = rows(package, "audit.csv")
+    chain, key = f"survey/{events[-1]['survey_id']}", SigningKey(b"1" * 32)
+
+    def signed(number: int, hash_: str) -> dict[str, Any]:
+        ends = {chain: AuditHead(number, hash_)}
+        said = {"format": "sightline-checkpoint-1", "at": "2026-05-04T06:00:00.000000+00:00", "chains": 1}
+        said |= {"root": root_of(ends), "key": key.public}
+        return {**said, "signature": key.sign(said), "ends": [[chain, number, hash_]]}
+
+    def check_with(*checkpoints: dict[str, Any]) -> PackageCheck:
+        return verify_package(FolderFiles(package), Anchors(checkpoints=checkpoints))
+
+    early, end = signed(1, events[0]["hash"]), signed(len(events), events[-1]["hash"])
+    found = check_with(early)
+    assert found.ok and found.vouched == 1 and "continues event 1," in " ".join(found.notes), found.problem
+    found = check_with(end, early)
+    assert found.ok and found.vouched == len(events) and "continues event" not in " ".join(found.notes)
+    for given in ((signed(2, "b" * 64), end), (end, signed(2, "b" * 64))):
+        assert "rewritten, or is of another installation" in str(check_with(*given).problem)
+    found = check_with(signed(len(events) + 1, "b" * 64))
+    assert "is older than the checkpoint" in str(found.problem) and "restore" not in str(found.problem)
+    chain = "survey/99"
+    assert "of another survey or installation" in str(check_with(end, signed(1, "b" * 64)).problem)
+
+
+@pytest.mark.once
+def test_what_is_no_checkpoint_is_refused(
+    package: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    place = tmp_path / "kept.json"
+    for text in ("[1]", "1", "{}", '{"format": "sightline-checkpoint-1"}'):
+        place.write_text(text)
+        assert main(["verify", str(package), "--checkpoint", str(place)]) == 2, text
+        assert "no checkpoint" in capsys.readouterr().err
 
 
 @pytest.mark.once

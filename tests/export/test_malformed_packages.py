@@ -233,5 +233,6 @@ def test_a_zip(kind: str, place: Path, capsys: pytest.CaptureFixture[str]) -> No
     whole.write_bytes(make(place))
     if words is not None:
         return _refused(whole, words, capsys)
-    assert main(["verify", str(whole), "--json"]) == 0
+    key = json.loads((place / "checkpoint.json").read_text())["key"]
+    assert main(["verify", str(whole), "--key", key, "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["status"] == "holds"

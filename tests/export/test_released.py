@@ -98,8 +98,16 @@ def test_a_package_of_an_earlier_version_verifies(released: Path, capsys: pytest
     told = json.loads(capsys.readouterr().out)
     assert (told["not_checked"], told["problems"]) == (found.not_checked, [])
     assert told["status"] == ("unanchored" if found.not_checked else "holds")
-    assert main(["verify", str(released), "--head", found.head_hash, "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["status"] == "holds"
+    first, (kept, key) = rows(released, "audit.csv")[0]["hash"], (released / "checkpoint.json", found.key)
+    for anchor, status in (
+        (["--head", found.head_hash], 0),
+        (["--key", key], 0),
+        (["--checkpoint", str(kept)], 0),
+        (["--head", first], 3 if found.not_checked else 0),
+    ):
+        assert main(["verify", str(released), *anchor, "--json"]) == status, anchor
+        told = json.loads(capsys.readouterr().out)
+        assert told["status"] == ("unanchored" if status else "holds")
 
 
 def test_a_package_of_an_earlier_version_enters_a_study(released: Path, tmp_path: Path) -> None:

@@ -645,6 +645,12 @@ def _forge(filled: Services) -> None:
         connection.execute(audit_events.update().where(audit_events.c.id == first).values(action="forge"))
 
 
+def first_hash(services: Services) -> str:
+    """Of the first event."""
+    with services.engine.connect() as connection:
+        return str(connection.scalar(select(audit_events.c.hash).order_by(audit_events.c.id).limit(1)))
+
+
 def test_by_commands(
     filled: Services,
     tmp_path: Path,
@@ -663,6 +669,15 @@ def test_by_commands(
     assert "every file is the one that was backed up" in said.out
     assert main(["verify", folder]) == 0
     assert "every file" in capsys.readouterr().out
+    for kept in (["--key", "a" * 64], *([["--head", "a" * 64]] if SERVER else [])):
+        assert main(["verify", folder, *kept]) == 2
+        assert "no effect here" in capsys.readouterr().err or SERVER
+    if not SERVER:
+        first = first_hash(filled)
+        assert main(["verify", folder, "--head", first]) == 0
+        assert "What was given vouches for 1 of " in capsys.readouterr().out
+        assert main(["verify", folder, "--head", "a" * 64, "--json"]) == 1
+        assert json.loads(capsys.readouterr().out)["status"] == "broken"
     place = new_place("restored")
     monkeypatch.delenv("SIGHTLINE_MEDIA_URL")
     if SERVER:

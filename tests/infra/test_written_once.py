@@ -20,6 +20,7 @@ from sightline.infra.audit.checkpoints import (
     checkpoint_problem,
     hand_on,
     sign_checkpoint,
+    take_key,
 )
 from sightline.infra.audit.guards import require_guards
 from sightline.infra.audit.merkle import path_of, root_by_path, root_of
@@ -507,37 +508,60 @@ def test_events_name_their_actor_and_turn_the_page(filled: SessionFactory) -> No
 def test_what_was_kept_elsewhere_is_held_against_a_database(
     filled: SessionFactory, database_url: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """A head, a checkpoint and the key of the installation hold; those of another do not."""
-    key, other = SigningKey(b"1" * 32), SigningKey(b"2" * 32)
+    """A head and a checkpoint hold, and how far they reach is told; those of another do not."""
     sound = verify_database(database_url)
     with writing(filled) as session:
-        kept = sign_checkpoint(session, key, actor=None)
+        kept = sign_checkpoint(session, SigningKey(b"1" * 32), actor=None)
     place = tmp_path / "checkpoint.json"
     place.write_text(json.dumps(kept))
-    end = kept["ends"][0][2]
-    anchors = ["--head", end[:16], "--head", verify_database(database_url).head_hash, "--key", key.public]
-    assert main(["verify", database_url, *anchors, "--checkpoint", str(place)]) == 0
-    capsys.readouterr()
+    _, count, end = max(kept["ends"], key=lambda one: one[1])
+    whole = verify_database(database_url)
+    signed = sum(count for _, count, _ in kept["ends"])
+    for given, vouched in (
+        (["--head", whole.head_hash[:16]], whole.checked),
+        (["--head", end], count),
+        (["--checkpoint", str(place)], signed),
+        (["--head", end[:16], "--checkpoint", str(place)], signed),
+    ):
+        assert main(["verify", database_url, *given]) == 0
+        told = f"vouches for {vouched} of {whole.checked} events"
+        assert (told in capsys.readouterr().out) == (vouched < whole.checked), given
     for given, said in (
         (["--head", sound.head_hash], "goes through the given audit head"),
-        (["--head", end, "--head", "a" * 64], "goes on from what was given"),
-        (["--key", other.public], "not with the given key"),
+        (["--head", end, "--head", "a" * 64], "goes through the given audit head aaaaaaaaaaaaaaaa"),
     ):
         assert main(["verify", database_url, *given]) == 1
         assert said in capsys.readouterr().err
     place.write_text(json.dumps({**kept, "root": sound.head_hash}))
     assert main(["verify", database_url, "--checkpoint", str(place)]) == 2
     assert "no checkpoint" in capsys.readouterr().err
-    cut = AuditHead(kept["ends"][0][1], "b" * 64)
-    ends = {name: AuditHead(count, hash_) for name, count, hash_ in kept["ends"]} | {kept["ends"][0][0]: cut}
-    forged = {name: kept[name] for name in ("format", "at", "chains")} | {
-        "root": root_of(ends),
-        "key": key.public,
-    }
+    name, count, _ = kept["ends"][0]
+    for number, words in ((count, "was rewritten"), (count + 1000, "is older than the checkpoint")):
+        place.write_text(json.dumps(_signed_with(kept, {name: AuditHead(number, "b" * 64)})))
+        assert main(["verify", database_url, "--checkpoint", str(place)]) == 1
+        said = capsys.readouterr().err
+        assert words in said and "restore" not in said
+
+
+def _signed_with(kept: dict[str, Any], changed: dict[str, AuditHead]) -> dict[str, Any]:
+    """A checkpoint of other ends, signed by somebody."""
+    key = SigningKey(b"2" * 32)
+    ends = {name: AuditHead(count, hash_) for name, count, hash_ in kept["ends"]} | changed
+    said = {name: kept[name] for name in ("format", "at", "chains")}
+    said |= {"root": root_of(ends), "key": key.public}
     listed = [[name, one.count, one.hash] for name, one in ends.items()]
-    place.write_text(json.dumps({**forged, "signature": key.sign(forged), "ends": listed}))
-    assert main(["verify", database_url, "--checkpoint", str(place)]) == 1
-    assert "are not those signed on" in capsys.readouterr().err
+    return {**said, "signature": key.sign(said), "ends": listed}
+
+
+def test_a_key_vouches_for_no_database(
+    filled: SessionFactory, database_url: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Who writes events writes the true key among them: it stands in every package."""
+    key = SigningKey(b"1" * 32)
+    with writing(filled) as session:
+        take_key(session, key, actor=None)
+    assert main(["verify", database_url, "--key", key.public]) == 2
+    assert "--key has no effect here; use --checkpoint" in capsys.readouterr().err
 
 
 def test_the_command_says_what_the_function_finds(

@@ -8,15 +8,18 @@ import click
 
 from sightline.commands.files import read_json
 from sightline.commands.options import FILE, json_option, print_json, progress_told
-from sightline.errors import BadInput, Damaged
+from sightline.errors import BadInput, Damaged, SightlineError
 from sightline.infra.audit.anchors import Anchors
+from sightline.infra.audit.records import AnchoredVerification, Verification
 from sightline.messages.said import Said
 from sightline.settings import sqlite_url
 
 DATABASE = "sightline.db"
 BACKUP = "manifest.json"
+PACKAGE = ("SHA256SUMS", "datapackage.json")
+_KINDS = "a database, a package, a backup or an evidence file"
 #: From the best to the worst.
-_EXIT: dict[str, int] = {"holds": 0, "unanchored": 3, "broken": 1}
+_EXIT: dict[str, int] = {"holds": 0, "unanchored": 3, "refused": 2, "broken": 1}
 
 
 @click.command()
@@ -48,46 +51,69 @@ def verify(
     A database is given as its file, its data folder or its postgresql:// address; an evidence file ends in
     .html. For a package, this includes its seal (by which the chain names every file), every height and
     statistic (recomputed), every row against the audit chain, and the signature of the chain's end. A
-    chain that was rewritten and signed again is detected with --key (if the forger does not have the key),
-    --head or --checkpoint: each must hold in one of the places, and one of each kind in every place.
+    chain that was rewritten and signed again is detected with --key (of packages and evidence files, if the
+    forger does not have the key), --head or --checkpoint: each must hold in every place.
 
-    Exit status: 0 holds; 1 does not; 2 cannot be read; 3 nothing contradicts, but another version made it, so
-    that some checks were not made, and nothing that was kept elsewhere vouches for it.
+    Exit status: 0 holds; 1 does not; 2 cannot be read, or an option that means nothing there; 3 nothing
+    contradicts, but another version made it, so that some checks were not made, and nothing that was kept
+    elsewhere vouches for the whole. Of several places that of the worst, in the order 0, 3, 2, 1.
     """
     anchors = Anchors(key, heads, [read_json(one, "a checkpoint") for one in checkpoints])
     found = [_checked(place, anchors) for place in places]
     status = max((one["status"] for one in found), key=list(_EXIT).index)
-    problems = [problem for one in found for problem in one["problems"]]
-    broken = [place for place, one in zip(places, found, strict=True) if one["problems"]] or places
-    if anchors.unheld and status != "broken":
-        status, problems = "broken", [str(Said("commands-anchors-unheld", anchors=", ".join(anchors.unheld)))]
-    if as_json:
+    broken = [(place, one) for place, one in zip(places, found, strict=True) if one["problems"]]
+    problems = [_problem_words(place, one) for place, one in broken]
+    if as_json and len(found) > 1:
         not_checked = list(dict.fromkeys(part for one in found for part in one["not_checked"]))
-        told = {"status": status, "problems": problems, "not_checked": not_checked}
-        print_json({**found[0], **told} if len(found) == 1 else {**told, "places": found})
+        listed = [{"place": place, **one} for place, one in zip(places, found, strict=True)]
+        print_json({"status": status, "problems": problems, "not_checked": not_checked, "places": listed})
+    elif as_json:
+        print_json(found[0])
     for place, one in zip(places, found, strict=True):
-        if not as_json and one["status"] != "broken":
+        if not as_json and not one["problems"]:
             click.echo(_describe_check(place, one))
-    if status == "broken":
-        raise Damaged("commands-problem-2", place=", ".join(broken), problem=" ".join(problems))
+    for problem in problems:
+        click.echo(problem, err=True)
     return _EXIT[status]
 
 
 def _checked(place: str, anchors: Anchors) -> dict[str, Any]:
     """What was checked, as the contract names it, and further counts."""
-    checked = check(place, anchors)
-    ok, problem = checked.pop("ok"), checked.pop("problem")
-    not_checked = checked.pop("not_checked", [])
-    status = "broken" if not ok else "unanchored" if not_checked and not anchors else "holds"
+    try:
+        checked = check(place, anchors)
+    except Damaged as error:
+        return _not_checked("broken", error.message)
+    except SightlineError as error:
+        return _not_checked("refused", error.message)
+    except OSError as error:
+        path, why = error.filename or place, error.strerror or str(error)
+        said = Said("commands-cannot-read-give", path=path, strerror=why, what=_KINDS)
+        return _not_checked("refused", str(said))
+    ok, problem, vouched = checked.pop("ok"), checked.pop("problem"), checked.get("vouched")
+    not_checked, count = checked.pop("not_checked", []), checked.pop("checked", None)
+    whole = not not_checked or (vouched is not None and vouched == count)
     return {
-        "status": status,
+        "status": "broken" if not ok else "holds" if whole else "unanchored",
         "problems": [] if ok else [str(problem)],
         "not_checked": not_checked,
         "key": checked.pop("key", None) or None,
         "head": checked.pop("head_hash", None) or None,
-        "count": checked.pop("checked", None),
+        "count": count,
         **checked,
     }
+
+
+def _not_checked(status: str, problem: str) -> dict[str, Any]:
+    nothing = dict.fromkeys(("key", "head", "count"))
+    return {"status": status, "problems": [problem], "not_checked": [], **nothing}
+
+
+def _problem_words(place: str, checked: dict[str, Any]) -> str:
+    """One line; what cannot be read is named in its sentence already."""
+    (problem,) = checked["problems"]
+    if checked["status"] == "broken" or place not in problem:
+        problem = str(Said("commands-problem-2", place=place, problem=problem))
+    return " ".join(problem.split())
 
 
 def check(place: str, anchors: Anchors) -> dict[str, Any]:
@@ -97,15 +123,33 @@ def check(place: str, anchors: Anchors) -> dict[str, Any]:
     path, is_url = Path(place), "://" in place
     if not is_url and not path.exists():
         raise BadInput("commands-place-missing", place=place)
+    _require_one_thing(path)
     if (path / DATABASE).is_file():
         path = path / DATABASE
-    if (path / BACKUP).is_file():
-        return check_backup_folder(path, anchors)
-    if path.is_dir() or path.suffix.lower() == ".zip":
+    is_backup = (path / BACKUP).is_file()
+    if not is_backup and (path.is_dir() or path.suffix.lower() == ".zip"):
         return check_export(path, anchors)
     if path.suffix.lower() in (".html", ".htm") and path.is_file():
-        return check_evidence(path, anchors)
+        _require_none("--key", head=anchors.heads, checkpoint=anchors.checkpoints)
+        return check_evidence(path, anchors.key)
+    _require_none("--checkpoint", key=anchors.key)
+    if is_backup:
+        return check_backup_folder(path, anchors)
     return check_database(place if is_url else sqlite_url(path.absolute()), place, anchors)
+
+
+def _require_one_thing(folder: Path) -> None:
+    """Raises BadInput for a folder in which a database, a backup or a package hides another of them."""
+    names = [name for name in (DATABASE, BACKUP, *PACKAGE) if (folder / name).is_file()]
+    if len(names) > 1 and names != list(PACKAGE):
+        raise BadInput("commands-place-ambiguous", place=folder, names=", ".join(names))
+
+
+def _require_none(instead: str, **given: object) -> None:
+    """Raises BadInput for the first option that was given although it means nothing here."""
+    for name, value in given.items():
+        if value:
+            raise BadInput("commands-option-without-effect", name=name, instead=instead)
 
 
 def check_export(path: Path, anchors: Anchors | None = None) -> dict[str, Any]:
@@ -117,16 +161,14 @@ def check_export(path: Path, anchors: Anchors | None = None) -> dict[str, Any]:
     return {"kind": "export", **found, "sha256": sha256_of(path) if path.is_file() else None}
 
 
-def check_evidence(path: Path, anchors: Anchors) -> dict[str, Any]:
+def check_evidence(path: Path, key: str | None) -> dict[str, Any]:
     """The evidence file of a vehicle: signature, hashes, events, numbers, decision."""
     from sightline.export.evidence.page import MOST_BYTES
     from sightline.export.evidence.verify import verify_evidence
 
-    if anchors.unheld:
-        raise BadInput("commands-option-without-effect", name="head", instead="--key with an evidence file")
     if path.stat().st_size > MOST_BYTES:
         raise Damaged("evidence-not-one")
-    return {"kind": "evidence", **asdict(verify_evidence(path.read_bytes(), anchors.key))}
+    return {"kind": "evidence", **asdict(verify_evidence(path.read_bytes(), key))}
 
 
 def check_backup_folder(path: Path, anchors: Anchors) -> dict[str, Any]:
@@ -135,25 +177,33 @@ def check_backup_folder(path: Path, anchors: Anchors) -> dict[str, Any]:
     from sightline.infra.backup.restore import check_backup
 
     found = check_backup(path, progress_told(), anchors)
-    audit = {} if found.audit is None else asdict(found.audit)
-    return {"kind": "backup", "ok": True, "problem": None, **audit, "said": read_words(path, found)}
+    audit = {"ok": True, "problem": None} if found.audit is None else _with_notes(found.audit)
+    return {"kind": "backup", **audit, "said": read_words(path, found)}
 
 
-def check_database(url: str, name: str = "This address", anchors: Anchors | None = None) -> dict[str, Any]:
+def check_database(url: str, name: str, anchors: Anchors) -> dict[str, Any]:
     """A database; nothing in it is changed."""
     from sightline.infra.audit.verification import verify_database
 
-    return {"kind": "database", **asdict(verify_database(url, name, anchors))}
+    return {"kind": "database", **_with_notes(verify_database(url, name, anchors))}
+
+
+def _with_notes(found: Verification) -> dict[str, Any]:
+    """What was found, and up to where something kept elsewhere vouches for it."""
+    if not isinstance(found, AnchoredVerification) or found.vouched == found.checked:
+        return asdict(found)
+    note = Said("audit-vouched-events", vouched=found.vouched, count=found.checked)
+    return {**asdict(found), "notes": [str(note)]}
 
 
 def _describe_check(place: str, checked: dict[str, Any]) -> str:
     if checked["kind"] == "backup":
-        return str(checked["said"])
+        return " ".join([checked["said"], *checked.get("notes", [])])
     if checked["kind"] == "evidence":
         return _evidence_words(place, checked)
     sentence = f"{place}: the audit chain of {checked['count']} events is intact, head {checked['head'][:16]}"
     if checked["kind"] != "export":
-        return sentence + "."
+        return " ".join([sentence + ".", *checked.get("notes", [])])
     sentence += (
         f"; {checked['files']} files unchanged, {checked['heights']} heights and {checked['statistics']} "
         f"statistics recomputed and equal, {checked['keys']} references between tables checked, "

@@ -26,8 +26,9 @@ class PackageCheck:
     """What was checked; `problem` is one sentence, None when all is well. `notes`: what could not be.
 
     `not_checked`: the parts that another version of the program made, which this one did not compare:
-    "heights", "words", "description", "statistics", "drawings", "page". Counts are those so far, told even
-    when something is wrong.
+    "heights", "words", "description", "statistics", "drawings", "page". `vouched`: how many events what was
+    kept elsewhere vouches for, if anything was given. Counts are those so far, told even when something is
+    wrong.
     """
 
     ok: bool
@@ -42,6 +43,7 @@ class PackageCheck:
     drawings: int = 0
     signed_at: str = ""
     key: str = ""
+    vouched: int | None = None
     not_checked: list[str] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
 

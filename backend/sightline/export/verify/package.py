@@ -92,11 +92,10 @@ def _check(files: Files, anchors: Anchors, outcome: PackageCheck) -> None:
     outcome.checked, outcome.head_hash = state.count, state.hashes[-1]
     check_seal(seal, written)
     outcome.signed_at, outcome.key, keys = _signed(files, state, seal.survey_id)
-    outcome.notes += [
-        f"The chain continues event {number}, whose head was given; that vouches for the events until then, "
-        "not for later ones."
-        for number in anchors.hold({survey_chain(seal.survey_id): state.hashes}, keys, whole=False)
-    ]
+    if anchors:
+        outcome.vouched = anchors.hold_in_package(survey_chain(seal.survey_id), state.hashes, keys)
+        if outcome.vouched < state.count:
+            outcome.notes.append(say("export-continues-event", {"event": outcome.vouched}))
     outcome.notes += _of_key(outcome.key, anchors.key)
     tables = tables_of(described.most_frames)
     checking = Checking(described.read_in_its_format(files, tables), described, state, written, outcome)

@@ -65,6 +65,13 @@ class Verification:
 
 
 @dataclass(frozen=True, slots=True)
+class AnchoredVerification(Verification):
+    """`vouched`: how many of the events what was kept elsewhere vouches for."""
+
+    vouched: int
+
+
+@dataclass(frozen=True, slots=True)
 class Checkpoint:
     """The ends of all chains at one moment, as signed (`by`: who asked, None on the command line)."""
 

@@ -17,11 +17,11 @@ from sqlalchemy.orm import Session
 from sightline.errors import BadInput, Damaged, SightlineError
 from sightline.infra.audit import trail
 from sightline.infra.audit.anchors import Anchors
-from sightline.infra.audit.checkpoints import CHECKPOINT, SIGN, are_handed_on, is_signed, known_keys
+from sightline.infra.audit.checkpoints import CHECKPOINT, SIGN, is_signed
 from sightline.infra.audit.guards import require_guards
 from sightline.infra.audit.hashing import GENESIS, chain_hash, to_plain_json
 from sightline.infra.audit.merkle import root_of
-from sightline.infra.audit.records import AuditHead, Verification, survey_chain
+from sightline.infra.audit.records import AnchoredVerification, AuditHead, Verification, survey_chain
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.audit.vouched import (
     CarriesHead,
@@ -51,7 +51,7 @@ class _Problem(SightlineError):
 
 def verify_records(session: Session, anchors: Anchors | None = None) -> Verification:
     """Check the chains and everything that they vouch for, as one state of the database has it; `anchors`:
-    what was kept elsewhere of these chains.
+    what was kept elsewhere of these chains, for which the answer is an AnchoredVerification.
     """
     state = _Walk()
     try:
@@ -59,24 +59,15 @@ def verify_records(session: Session, anchors: Anchors | None = None) -> Verifica
         _anchors(session, state)
         _check_rows(session, state)
         _guards(session)
-        if anchors:
-            _hold(session, state, anchors)
     except _Problem as problem:
         return Verification(False, state.checked, state.head, problem.said)
-    return Verification(True, state.checked, state.head, None)
-
-
-def _hold(session: Session, walk: "_Walk", anchors: Anchors) -> None:
-    keys = known_keys(session)
-    known = [one["key"] for one in keys]
-    for checkpoint in walk.checkpoints:
-        if checkpoint["key"] not in known or not are_handed_on(keys, known[-1]):
-            raise _Problem("audit-chains-not-signed", at=checkpoint["at"])
+    if not anchors:
+        return Verification(True, state.checked, state.head, None)
     try:
-        # also the head of all chains together, as this is told of a database
-        anchors.hold({**walk.hashes, "": [GENESIS, walk.head]}, known, whole=True)
+        vouched = anchors.hold_in_database(state.hashes, state.head)
     except Damaged as damage:
-        raise _Problem(damage.code, **damage.values) from None
+        return Verification(False, state.checked, state.head, damage.said)
+    return AnchoredVerification(True, state.checked, state.head, None, vouched)
 
 
 def _guards(session: Session) -> None:
