@@ -261,7 +261,7 @@ class Watcher:
         return []
 
     def _leaves_until(self, line: float) -> None:
-        """What stood has left by this line: who waits and was seen since it last stood still may be a part."""
+        """Who waits and was seen from when something last stood still to this line may be a part of it."""
         for at, event in reversed(list(enumerate(self._waiting))):
             if line - event.rear >= self.spans.still:
                 break
