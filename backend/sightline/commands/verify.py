@@ -75,7 +75,10 @@ def verify(
 
 def _checked(place: str, anchors: Anchors) -> dict[str, Any]:
     """What was checked, as the contract names it, and further counts."""
-    checked = check(place, anchors)
+    try:
+        checked = check(place, anchors)
+    except Damaged as damage:
+        checked = {"ok": False, "problem": damage.said}
     ok, problem = checked.pop("ok"), checked.pop("problem")
     not_checked = checked.pop("not_checked", [])
     status = "broken" if not ok else "unanchored" if not_checked and not anchors else "holds"
@@ -122,8 +125,10 @@ def check_evidence(path: Path, anchors: Anchors) -> dict[str, Any]:
     from sightline.export.evidence.page import MOST_BYTES
     from sightline.export.evidence.verify import verify_evidence
 
-    if anchors.unheld:
-        raise BadInput("commands-option-without-effect", name="head", instead="--key with an evidence file")
+    if anchors.of_chains:
+        raise BadInput(
+            "commands-option-without-effect", name=anchors.of_chains[0], instead="--key with an evidence file"
+        )
     if path.stat().st_size > MOST_BYTES:
         raise Damaged("evidence-not-one")
     return {"kind": "evidence", **asdict(verify_evidence(path.read_bytes(), anchors.key))}

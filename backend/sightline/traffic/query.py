@@ -93,7 +93,7 @@ class ArchiveTables:
         return lanes
 
     def vehicles(self, site: str) -> list[dict[str, Any]]:
-        """A site's vehicles as the archive has them, without `passed_at`; `told_before`: of another recording."""
+        """A site's vehicles as the archive has them; those `told_before` count elsewhere."""
         return self._query_rows(
             "SELECT * EXCLUDE (passed_at) FROM vehicles ORDER BY passed_at", site, Asked()
         )

@@ -1,6 +1,7 @@
 """What somebody kept elsewhere of an installation's audit chains, and whether those here go on from it."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from sightline.enums import JsonObject
@@ -12,9 +13,18 @@ from sightline.infra.audit.records import AuditHead
 LEAST_SIGNS = 16
 
 
+@dataclass(frozen=True, eq=False)
+class _Checkpoint:
+    """When it was signed and with which key; the ends that it signed, by the names of their chains."""
+
+    at: str
+    key: str
+    ends: Mapping[str, AuditHead]
+
+
 class Anchors:
     """`key`: (the beginning of) a signing key; `heads`: of hashes with which chains ended once;
-    `checkpoints`: documents of `sightline checkpoint` or of packages. `unheld` is what held nowhere yet.
+    `checkpoints`: documents of `sightline checkpoint` or of packages.
 
     Raises BadInput for what is too short to tell anything, and for what is no checkpoint.
     """
@@ -29,12 +39,22 @@ class Anchors:
                 raise BadInput("export-head-too-short", count=len(head), least_of_head=LEAST_SIGNS)
         self.key = key and key.lower()
         self._heads = [head.lower() for head in heads]
-        self._ends = {str(one.get("at")): _signed_ends(one) for one in checkpoints}
-        self._keys = {str(one.get("at")): str(one.get("key")) for one in checkpoints}
-        self.unheld = {*self._heads, *self._ends}
+        self._checkpoints = [_read_checkpoint(one) for one in checkpoints]
+        self._unheld: set[str | _Checkpoint] = {*self._heads, *self._checkpoints}
 
     def __bool__(self) -> bool:
-        return self.key is not None or bool(self._heads or self._ends)
+        return self.key is not None or bool(self.of_chains)
+
+    @property
+    def of_chains(self) -> list[str]:
+        """Names of those given that only a place with whole chains can hold."""
+        given = {"head": self._heads, "checkpoint": self._checkpoints}
+        return [name for name, those in given.items() if those]
+
+    @property
+    def unheld(self) -> list[str]:
+        """Heads, and moments of checkpoints, that held nowhere yet."""
+        return sorted(one if isinstance(one, str) else one.at for one in self._unheld)
 
     def hold(self, chains: Mapping[str, Sequence[str]], keys: Sequence[str], *, whole: bool) -> list[int]:
         """The events with the heads given, but for the last ones. `chains`: the hashes by name, that of none
@@ -47,18 +67,20 @@ class Anchors:
         if found and not any(found.values()):
             raise Damaged("export-head-differs", head=self._heads[0][:LEAST_SIGNS])
         for head, numbers in found.items():
-            self.unheld -= {head} if numbers else set()
+            self._unheld -= {head} if numbers else set()
             continued += [number for number, last in numbers if not last]
-        told = {at: ends for at, ends in self._ends.items() if whole or set(ends) & set(chains)}
-        if self._ends and not told:
+        told = [
+            one for one in self._checkpoints if one.key in keys and (whole or one.ends.keys() & chains.keys())
+        ]
+        if self._checkpoints and not told:
             raise Damaged("audit-checkpoint-elsewhere")
-        for at, ends in told.items():
-            here = ends if whole else {name: ends[name] for name in ends if name in chains}
-            if self._keys[at] not in keys or not all(
+        for checkpoint in told:
+            here = {name: end for name, end in checkpoint.ends.items() if whole or name in chains}
+            if not all(
                 chains.get(name, ())[end.count : end.count + 1] == [end.hash] for name, end in here.items()
             ):
-                raise Damaged("audit-chains-not-signed", at=at)
-            self.unheld.discard(at)
+                raise Damaged("audit-chains-not-signed", at=checkpoint.at)
+            self._unheld.discard(checkpoint)
         return continued
 
 
@@ -72,8 +94,8 @@ def _events_with(head: str, chains: Mapping[str, Sequence[str]]) -> list[tuple[i
     ]
 
 
-def _signed_ends(document: JsonObject) -> dict[str, AuditHead]:
-    """The ends that a checkpoint signed: all, or that of its package. Raises BadInput."""
+def _read_checkpoint(document: JsonObject) -> _Checkpoint:
+    """A checkpoint with the ends that it signed: all, or that of its package. Raises BadInput."""
     try:
         if document["format"] == FORMAT and is_signed(document):
             leaf: dict[str, Any] | None = document.get("leaf")
@@ -85,7 +107,7 @@ def _signed_ends(document: JsonObject) -> dict[str, AuditHead]:
                 ((chain, end),) = ends.items()
                 root = root_by_path(chain, end, document["place"], document["chains"], document["path"]) or ""
             if root == document["root"]:
-                return ends
+                return _Checkpoint(str(document["at"]), str(document["key"]), ends)
     except (KeyError, TypeError, ValueError, AttributeError):
         pass
     raise BadInput("audit-no-checkpoint")

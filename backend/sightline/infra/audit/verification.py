@@ -69,6 +69,8 @@ def verify_records(session: Session, anchors: Anchors | None = None) -> Verifica
 def _hold(session: Session, walk: "_Walk", anchors: Anchors) -> None:
     keys = known_keys(session)
     known = [one["key"] for one in keys]
+    if anchors.key and not walk.checkpoints:
+        raise _Problem("audit-nothing-signed")
     for checkpoint in walk.checkpoints:
         if checkpoint["key"] not in known or not are_handed_on(keys, known[-1]):
             raise _Problem("audit-chains-not-signed", at=checkpoint["at"])
