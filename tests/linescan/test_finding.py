@@ -164,12 +164,12 @@ def test_one_that_stops_before_one_that_stands_is_told_apart():
     assert after.gap.time_gap_s == pytest.approx(1.8, abs=0.025)
 
 
-@pytest.mark.parametrize("wait_s", [20.0, 30.0])
-def test_one_stands_before_another_until_that_has_left(wait_s):
+@pytest.mark.parametrize(("wait_s", "bodies"), [(20.0, (1, 0)), (30.0, (1, 0)), (20.0, (0, 1))])
+def test_one_stands_before_another_until_that_has_left(wait_s, bodies):
     """Nobody saw the one behind leave: both are in view until the road is seen again. What was seen of its
     leaving, and then where it had stuck out behind the other, by the noise, was up to 36 vehicles more.
     """
-    pair, (_, before_s) = two_standing(wait_s)
+    pair, (_, before_s) = two_standing(wait_s, bodies)
     passages, finder = found(pair, SLOW_RIG)
     behind, before, after = measure_passages(passages, SLOW_RIG, "direct")
     assert (before.motion.reason, behind.motion.reason, after.motion.reason) == (STOPPED, STOPPED, None)

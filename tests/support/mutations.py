@@ -16,6 +16,7 @@ from typing import Any, BinaryIO
 
 from sightline.errors import Damaged
 from sightline.export.verify.package import PackageCheck, verify_package
+from sightline.infra.audit.anchors import Anchors
 from sightline.infra.audit.hashing import canonical_json, event_hash, link_hash
 from sightline.infra.audit.signing import SigningKey
 
@@ -48,7 +49,7 @@ def load(place: Path) -> Package:
 
 
 def checked(package: Package, key: str | None = None) -> PackageCheck:
-    return verify_package(MemoryFiles(package), key=key)
+    return verify_package(MemoryFiles(package), Anchors(key))
 
 
 def mutated(package: Package, random: Random) -> Mutation:

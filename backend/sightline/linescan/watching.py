@@ -268,6 +268,10 @@ class Watcher:
             line = event.front
             self._waiting[at] = replace(event, leaving=True)
 
+    @property
+    def _several_stand(self) -> bool:
+        return len(self._given_up) + (self._standing is not None) > 1
+
     def _stands_no_longer(self) -> None:
         """What stood is the event under way again, before its own road."""
         assert self._standing is not None
@@ -359,7 +363,8 @@ class Watcher:
         since = self.lines + len(block) - self._still
         if self._still >= self.spans.still and (self._open is None or self._open.front >= since):
             self._waiting = [event for event in self._waiting if event.front < since]
-            self._leaves_until(since)
+            if self._several_stand:
+                self._leaves_until(since)
             self._take(block)
 
     def _road_again(
@@ -370,7 +375,12 @@ class Watcher:
         """
         self.jumps += lit
         self.moves += not lit
-        return self._come_to_rest(cells, mean, block)[1]
+        rest, events = self._come_to_rest(cells, mean, block)
+        if not self._several_stand:
+            return events
+        # one of them may have left
+        self._leaves_until(events[0].front if events else rest)
+        return [replace(event, leaving=True) for event in events]
 
     def _come_to_rest(
         self, cells: NDArray[np.float32], mean: NDArray[np.float32], block: Pixels
