@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 from sightline.cli import main
-from sightline.commands.scanned import about_rig, object_of
+from sightline.commands.scanned import Start, about_rig, cell_of, object_of, row_of
 from sightline.errors import BadInput
 from sightline.infra.local_time import instant_of
 from sightline.linescan.finding import Finder
@@ -27,6 +27,7 @@ from sightline.traffic.archive import add_recorded
 from sightline.traffic.query import ArchiveTables
 from sightline.traffic.records import Asked, Stood
 from sightline.traffic.sources import read_recorded
+from tests.linescan.scenes import SLOW_RIG, found, two_standing
 from tests.simulation.scan_strips import recording
 from tests.simulation.scan_traffic import ScanSite, ScanTruth, traffic, truths
 from tests.traffic.samples import recorded
@@ -292,6 +293,21 @@ def test_who_stands_through_segments_of_a_stream_counts_once(
     path.write_text("\n".join(map(json.dumps, (first, again))))
     (hour,) = table(flow(capsys, path, "--interval", "60"))
     assert (hour["vehicles"], hour["headway_mean_s"], hour["occupancy_percent"]) == ("1", "", "")
+
+
+def test_who_leaves_behind_one_that_stands_is_counted_once(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Three vehicles, of whom two stood: 37 were counted, in both directions."""
+    passages, _ = found(two_standing(30.0)[0], SLOW_RIG)
+    start = Start(LINE_0, None)
+    rows = [
+        {name: cell_of(value) for name, value in (row_of(one) | start.times_of(one, SLOW_RIG)).items()}
+        for one in measure_passages(passages, SLOW_RIG, "direct")
+    ]
+    (hour,) = table(flow(capsys, written(tmp_path / "vehicles.csv", rows), "--interval", "60"))
+    assert (hour["vehicles"], hour["refused"]) == ("3", "2")
+    assert float(hour["headway_mean_s"]) == pytest.approx((41.87 - 1.48) / 2, abs=0.01)
 
 
 def test_lost_lines_and_whole_ms_leave_the_time_before_the_camera(

@@ -70,12 +70,12 @@ def standing(at_m: float, far: bool = False, wait_s: float = 7.0) -> tuple[Strip
 
 
 @lru_cache(maxsize=1)
-def two_standing(wait_s: float) -> tuple[Strips, tuple[float, float]]:
+def two_standing(wait_s: float, bodies: tuple[int, int] = (1, 0)) -> tuple[Strips, tuple[float, float]]:
     """One stands on the far lane from 1.2 s on for 20 s; another stops before it at 7.0 s, for `wait_s`; the
-    seconds of both rears. Of a slower rig.
+    seconds of both rears. Of a slower rig. `bodies`: theirs, of the cars.
     """
-    behind = at(cars()[1], 1.2, 7.0, halt=Halt(1.6, 20.0), far=True)
-    before = at(cars()[0], 7.0, 7.0, halt=Halt(1.6, wait_s))
+    behind = at(cars()[bodies[0]], 1.2, 7.0, halt=Halt(1.6, 20.0), far=True)
+    before = at(cars()[bodies[1]], 7.0, 7.0, halt=Halt(1.6, wait_s))
     rears_s = behind.clear_s(0.0), before.clear_s(0.0)
     site = replace(SITE, rows=64, line_rate_hz=SLOW_RIG.line_rate_hz)
     return strips(site, (behind, before, at(cars()[2], max(rears_s) + 1.8, 12.0))), rears_s

@@ -1,11 +1,11 @@
 """Equations (2) to (5) of the paper, printed and corrected, against motions integrated step by step."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import pytest
 
 from sightline.errors import BadInput
-from sightline.linescan.equations import solve_as_printed, solve_corrected, solve_crossings
+from sightline.linescan.equations import solve_crossings
 from sightline.linescan.finding import STOPPED
 from sightline.linescan.gaps import OTHER_RATE, OVERLAP, REAR_UNSEEN, Leaders, gaps
 from sightline.linescan.parts import CUT, STOOD, Crossings, Entry, Motion, Rig
@@ -13,6 +13,55 @@ from sightline.linescan.planner import line_rate_for, speed_error
 from sightline.linescan.traffic import headways_s
 
 BASELINE_M, RATE_HZ = 0.593, 4882.8
+
+
+@dataclass(frozen=True)
+class PaperMotion:
+    """Speed (m/s), length (m), acceleration (m/s^2) of equations (3) and (4)."""
+
+    speed_mps: float
+    length_m: float
+    acceleration_mps2: float
+
+
+def solve_as_printed(crossings: Crossings, baseline_m: float, line_rate_hz: float) -> PaperMotion:
+    """Equations (3) and (4) as printed. (4) lacks f^2, so what it gives is no acceleration (its unit is m).
+
+    Of the paper's line numbers as in `parts`; the program uses `solve_crossings`.
+    """
+    speed, length = _equation_3(crossings, baseline_m, line_rate_hz)
+    slower = 1 / _transit(crossings.rear_line_1, crossings.rear_line_2)
+    faster = 1 / _transit(crossings.front_line_1, crossings.front_line_2)
+    over = crossings.rear_line_1 - crossings.front_line_1
+    return PaperMotion(speed, length, baseline_m * (slower - faster) / over)
+
+
+def solve_corrected(crossings: Crossings, baseline_m: float, line_rate_hz: float) -> PaperMotion:
+    """Equations (3) and (4) with what (4) lacks: f^2, and the mean crossing times as its time base.
+
+    The two speeds of (4) are means over the baseline, so they hold midway between the cameras: at the mean
+    of a point's two crossings. The printed time base B_r1 - B_f1 is that of camera 1. Corrected, (4) is
+    exact for a constant acceleration. (3) needs no correction but care: its speed is the one midway between
+    the cameras, and its length neglects the acceleration.
+    """
+    speed, length = _equation_3(crossings, baseline_m, line_rate_hz)
+    front = _transit(crossings.front_line_1, crossings.front_line_2)
+    rear = _transit(crossings.rear_line_1, crossings.rear_line_2)
+    rear_middle = (crossings.rear_line_1 + crossings.rear_line_2) / 2
+    over = rear_middle - (crossings.front_line_1 + crossings.front_line_2) / 2
+    acceleration = line_rate_hz**2 * baseline_m * (1 / rear - 1 / front) / over
+    return PaperMotion(speed, length, acceleration)
+
+
+def _equation_3(crossings: Crossings, baseline_m: float, line_rate_hz: float) -> tuple[float, float]:
+    speed = baseline_m * line_rate_hz / _transit(crossings.front_line_1, crossings.front_line_2)
+    return speed, speed * (crossings.rear_line_1 - crossings.front_line_1) / line_rate_hz
+
+
+def _transit(first: float, second: float) -> float:
+    if second <= first:
+        raise ValueError("A point must cross camera 1 before camera 2: are the cameras swapped?")
+    return second - first
 
 
 def crossing_line(speed: float, acceleration: float, distance: float) -> float:

@@ -164,15 +164,28 @@ def test_one_that_stops_before_one_that_stands_is_told_apart():
     assert after.gap.time_gap_s == pytest.approx(1.8, abs=0.025)
 
 
-def test_one_stands_before_another_until_that_has_left():
-    """Nobody saw the one behind leave: both are in view until the road is seen again."""
-    pair, (_, before_s) = two_standing(30.0)
-    passages, _ = found(pair, SLOW_RIG)
-    behind, before, *_, after = measure_passages(passages, SLOW_RIG, "direct")
+@pytest.mark.parametrize("wait_s", [20.0, 30.0])
+def test_one_stands_before_another_until_that_has_left(wait_s):
+    """Nobody saw the one behind leave: both are in view until the road is seen again. What was seen of its
+    leaving, and then where it had stuck out behind the other, by the noise, was up to 36 vehicles more.
+    """
+    pair, (_, before_s) = two_standing(wait_s)
+    passages, finder = found(pair, SLOW_RIG)
+    behind, before, after = measure_passages(passages, SLOW_RIG, "direct")
     assert (before.motion.reason, behind.motion.reason, after.motion.reason) == (STOPPED, STOPPED, None)
     assert behind.rear_s == pytest.approx(before_s, abs=0.05) and before.rear_s == pytest.approx(
         before_s, abs=0.1
     )
+    assert finder.alone == 0
+
+
+def test_what_leaves_behind_one_that_stands_is_no_vehicle_though_the_road_seems_lit_anew():
+    """The larger one leaves from behind the smaller one; what is then seen is like the road before."""
+    pair, (_, before_s) = two_standing(20.0, (0, 1))
+    passages, finder = found(pair, SLOW_RIG)
+    told = list(measure_passages(passages, SLOW_RIG, "direct"))
+    assert [one.front_s for one in told] == pytest.approx([1.48, 7.36, before_s + 1.8], abs=0.01)
+    assert finder.alone == 0
 
 
 def test_what_leaves_is_no_vehicle_in_pieces():

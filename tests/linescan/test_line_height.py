@@ -25,7 +25,7 @@ def test_exact_marks_give_the_pose_and_exact_heights() -> None:
     pose = solve_line_pose(*marks(), sigma_px=0.3)
     assert pose.camera_height_m == pytest.approx(CAMERA_M, abs=1e-9)
     assert pose.focal_px == pytest.approx(FOCAL_PX, rel=1e-8)
-    assert pose.pitch_rad == pytest.approx(PITCH_RAD, abs=1e-9)
+    assert np.arctan(pose.parameters[2]) == pytest.approx(PITCH_RAD, abs=1e-9)
     assert pose.rows_of(3.3, 0.8)[()] == pytest.approx(row_of(3.3, 0.8), abs=1e-7)
     found = line_height(pose, row_of(3.0, 0.0), row_of(3.45, 1.45), inset_m=0.45)
     assert found.distance_m == pytest.approx(3.0, abs=1e-8)

@@ -8,8 +8,9 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from sightline.linescan.equations import solve_corrected, solve_crossings
+from sightline.linescan.equations import solve_crossings
 from sightline.linescan.parts import Crossings
+from tests.linescan.test_equations import solve_corrected
 
 SPEEDS = st.floats(2.5, 40)
 ACCELERATIONS = st.floats(-3, 3)

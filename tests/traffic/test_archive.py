@@ -14,7 +14,7 @@ import pytest
 from sightline.errors import BadInput, Busy
 from sightline.infra.file_lock import take_lock
 from sightline.infra.local_time import day_start, instant_of
-from sightline.linescan.parts import STOOD, STOPPED
+from sightline.linescan.parts import CUT, STOOD, STOPPED
 from sightline.traffic import archive
 from sightline.traffic.archive import add_recorded, remove_recorded, require_archive, sites_of, watched_rows
 from sightline.traffic.query import ArchiveTables
@@ -160,6 +160,31 @@ def test_segments_of_one_stream_count_every_vehicle_once(tmp_path: Path, order: 
     longer = replace(segments[1], sha256="01" * 32, duration_s=700.0)
     with pytest.raises(BadInput, match="both observed this lane"):
         add_recorded(tmp_path, longer, stood("2026-05-04T12:29:59.700"))
+
+
+@pytest.mark.parametrize("lane", [None, "near"])
+def test_who_is_cut_by_the_end_of_a_pair_and_whole_in_the_next_is_counted_there(
+    tmp_path: Path, lane: str | None
+) -> None:
+    """Of a stream that was killed, the second of two nearer together than the baseline: it was the one that
+    was cut. A vehicle that is cut has no lane; of the first, the next pair sees the rear.
+    """
+    first, second = (replace(one, lane=lane) for one in recorded(1, 2, 60.0, unmeasured=0.0).passings)
+    first = replace(first, front_s=59.0, rear_s=59.92, front_line_1=295_000.0)
+    cut = replace(second, front_s=59.95, rear_s=60.0, front_line_1=299_750.0, lane=None)
+    cut = replace(cut, speed_mps=None, length_m=None, status="not_measurable", reason=str(CUT))
+    rest = replace(cut, number=1, front_s=0.0, rear_s=0.01, front_line_1=0.0)
+    whole = replace(second, front_s=0.04, rear_s=0.3, front_line_1=200.0)
+    lanes = () if lane is None else (lane,)
+    one = Recorded("1", "ab" * 32, 60.0, (first, cut), lanes)
+    two = Recorded("2", "cd" * 32, 60.0, (rest, whole), lanes)
+    add_recorded(tmp_path, one, stood("2026-05-04T12:00:00"))
+    add_recorded(tmp_path, two, stood("2026-05-04T12:00:59.910"))
+    with ArchiveTables(tmp_path) as tables:
+        rows = list(tables.intervals(Asked(minutes=60)))
+    assert sum(row["vehicles"] for row in rows) == sum(row["measured"] for row in rows) == 2
+    by_flow = [one for scan in traffic_of(results_in(tmp_path)[0], 60) for one in scan.intervals]
+    assert sum(one.vehicles for one in by_flow) == sum(one.measured for one in by_flow) == 2
 
 
 @pytest.mark.parametrize("name", ["", " Hill", ".Hill", "a/b", "a=b", "a%20", "x" * 81, "a\nb"])

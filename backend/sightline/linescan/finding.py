@@ -389,6 +389,7 @@ class Finder:
             noise_dn=max(event_1.road.noise_dn, event_2.road.noise_dn),
             reason=reason,
             beside=self.watchers[0].one_stands_before(event_1.front),
+            leaving=event_1.leaving and event_2.leaving,
         )
         if reason:
             return passage

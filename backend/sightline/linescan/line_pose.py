@@ -58,11 +58,6 @@ class LinePose:
         p0, p1, p2, _ = self.parameters
         return float((p0 * p2 - p1) / (1 + p2 * p2))
 
-    @property
-    def pitch_rad(self) -> float:
-        """Upwards positive; poorly known by itself where the field is narrow."""
-        return float(np.arctan(self.parameters[2]))
-
     def rows_of(self, distance_m: ArrayLike, height_m: ArrayLike) -> Floats:
         """(N,) rows of points at `distance_m` (N,), horizontal, and `height_m` (N,) above the road, m."""
         slopes = _slopes(np.asarray(distance_m, float), np.asarray(height_m, float), self.camera_height_m)

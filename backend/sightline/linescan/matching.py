@@ -16,6 +16,8 @@ from sightline.linescan.parts import Pixels
 
 BLOCK_LINES = 48
 STEP_LINES = 8
+# the paper's limited vertical scan; no offset first, so that it wins where all are alike
+ROWS = (0, -1, 1)
 # Times what noise alone shows: below this a block holds nothing to match.
 GATE = 1.5
 
@@ -36,22 +38,19 @@ class Matches:
     at_end: NDArray[np.bool_]
 
 
-def match_blocks(
-    first: Pixels, second: Pixels, shifts: range, noise_dn: float, *, vertical: int = 1, lag: int = 1
-) -> Matches:
+def match_blocks(first: Pixels, second: Pixels, shifts: range, noise_dn: float, *, lag: int = 1) -> Matches:
     """Sub-line shifts of blocks of BLOCK_LINES lines, every STEP_LINES: Douxchamps et al., section IV (block
     matching by sums of absolute differences, with a modified Moravec operator as gate).
 
     `first` (lines, rows); `second` (lines2, rows), line n of it at shift 0 beside line n of `first`. A block
-    whose place in `second` is not there for every shift is left out. `vertical`: rows of search either way,
-    the paper's limited vertical scan. `lag`: lines over which the gate looks for a change. Shapes that leave
-    no block give empty arrays.
+    whose place in `second` is not there for every shift is left out. `lag`: lines over which the gate looks
+    for a change. Shapes that leave no block give empty arrays.
     """
     starts = _starts(len(first), len(second), shifts)
     if len(starts) == 0 or len(shifts) < 3:
         nothing, none = np.zeros(0), np.zeros(0, dtype=np.bool_)
         return Matches(nothing, nothing, np.zeros(0, dtype=np.int64), none, none)
-    sums = np.stack([_block_sums(first, second, shifts, starts, rows) for rows in _order(vertical)])
+    sums = np.stack([_block_sums(first, second, shifts, starts, rows) for rows in ROWS])
     best_rows = np.argmin(sums.min(axis=1), axis=0)  # (blocks,)
     of_best = sums[best_rows, :, np.arange(len(starts))]  # (blocks, shifts)
     at = np.argmin(of_best, axis=1)
@@ -62,15 +61,10 @@ def match_blocks(
     return Matches(
         np.asarray(starts + (BLOCK_LINES - 1) / 2, dtype=np.float64),
         shifts.start + inside + fine,
-        np.array(_order(vertical))[best_rows],
+        np.array(ROWS)[best_rows],
         enough & ~at_end,
         at_end,
     )
-
-
-def _order(vertical: int) -> list[int]:
-    """No offset first, so that it wins where all are alike."""
-    return [0, *(sign * rows for rows in range(1, vertical + 1) for sign in (-1, 1))]
 
 
 def _starts(lines: int, lines_2: int, shifts: range) -> NDArray[np.int64]:

@@ -92,7 +92,8 @@ class Passage:
     `background_1`, `background_2`: (rows,) float32, the empty road as last seen before the vehicle.
     `noise_dn`: standard deviation of a pixel of the empty road. `reason`: why it cannot be measured, or None.
     `u_boundaries_m`: what noise and doubt about the boundaries bring to the length's uncertainty.
-    `beside`: it passes one that stands before camera 1 and is told later.
+    `beside`: it passes one that stands before camera 1 and is told later. `leaving`: it was seen while what
+    had stood there left, and may be a part of that: only one with a motion is told.
     """
 
     crossings: Crossings
@@ -106,6 +107,7 @@ class Passage:
     reason: Said | None = None
     u_boundaries_m: float = 0.0
     beside: bool = False
+    leaving: bool = False
 
 
 @dataclass(frozen=True)

@@ -28,6 +28,11 @@ class Vehicle:
     rear_s: float | None
 
 
+def is_told(passage: Passage, motion: Motion) -> bool:
+    """Whether a passage is a vehicle's, and no part of what had stood there and left."""
+    return motion.status == "ok" or not passage.leaving
+
+
 class Follower:
     """Measures passages in their order; what is kept of the vehicle before is what a gap needs.
 
@@ -41,9 +46,13 @@ class Follower:
         self._number = first - 1
         self._leaders = Leaders(rig)
 
-    def next(self, passage: Passage, *, counted: bool = True) -> Vehicle:
-        """The vehicle of a passage. One that is not `counted` is only the one before for the next."""
+    def next(self, passage: Passage, *, counted: bool = True) -> Vehicle | None:
+        """The vehicle of a passage, if it is one. One that is not `counted` is only the one before for the
+        next.
+        """
         motion = MEASURE[self._method](passage, self._rig)
+        if not is_told(passage, motion):
+            return None
         gap = self._leaders.next(passage.crossings, replace(motion, profile=None), beside=passage.beside)
         self._number += counted
         at, rate = passage.crossings, self._rig.line_rate_hz
@@ -62,5 +71,5 @@ def measure_passages(
     passages: Iterable[Passage], rig: Rig, method: ScanMethod, columns: Columns = lambda crossings: crossings
 ) -> Iterator[Vehicle]:
     """Every vehicle in order; only one passage is held at a time."""
-    follower = Follower(rig, method, columns)
-    return (follower.next(passage) for passage in passages)
+    vehicles = map(Follower(rig, method, columns).next, passages)
+    return (vehicle for vehicle in vehicles if vehicle is not None)

@@ -256,14 +256,21 @@ class Watcher:
             gone = self._has_left(stood)
             stood.last = self.lines - step * seen
             # it has left since it last stood still
-            since: float = stood.last
-            for at, event in reversed(list(enumerate(self._waiting))):
-                if since - event.rear >= self.spans.still:
-                    break
-                since = event.front
-                self._waiting[at] = replace(event, leaving=True)
+            self._leaves_until(stood.last)
             return [one.event(stood.last, cut=False) for one in gone if not one.told]
         return []
+
+    def _leaves_until(self, line: float) -> None:
+        """Who waits and was seen from when something last stood still to this line may be a part of it."""
+        for at, event in reversed(list(enumerate(self._waiting))):
+            if line - event.rear >= self.spans.still:
+                break
+            line = event.front
+            self._waiting[at] = replace(event, leaving=True)
+
+    @property
+    def _several_stand(self) -> bool:
+        return len(self._given_up) + (self._standing is not None) > 1
 
     def _stands_no_longer(self) -> None:
         """What stood is the event under way again, before its own road."""
@@ -316,7 +323,7 @@ class Watcher:
     ) -> list[Event]:
         """An event whose picture does not change: a vehicle that stopped, or a road under another light."""
         assert self.road is not None
-        if self._open is None or not len(cells) or not there.all():
+        if not there.any():
             self._still, self._mean = 0, None
             return []
         mean = np.asarray(cells.mean(0), np.float32)
@@ -326,6 +333,9 @@ class Watcher:
         self._still = self._still + len(block) if calm and alike else 0
         self._mean = mean if calm else None
         if not self._still:
+            return []
+        if self._open is None or not there.all():
+            self._rest(block)
             return []
         if self._standing is not None and same_but_for_light(mean, self._standing.road, self.grid):
             self._stands_no_longer()
@@ -346,6 +356,17 @@ class Watcher:
         self._take(block)
         return []
 
+    def _rest(self, block: Pixels) -> None:
+        """The picture has rested, and yet parts of it are taken for something before the road, by their
+        noise: what is behind who stands, seen since that left.
+        """
+        since = self.lines + len(block) - self._still
+        if self._still >= self.spans.still and (self._open is None or self._open.front >= since):
+            self._waiting = [event for event in self._waiting if event.front < since]
+            if self._several_stand:
+                self._leaves_until(since)
+            self._take(block)
+
     def _road_again(
         self, cells: NDArray[np.float32], mean: NDArray[np.float32], block: Pixels, lit: bool
     ) -> list[Event]:
@@ -354,7 +375,12 @@ class Watcher:
         """
         self.jumps += lit
         self.moves += not lit
-        return self._come_to_rest(cells, mean, block)[1]
+        rest, events = self._come_to_rest(cells, mean, block)
+        if not self._several_stand:
+            return events
+        # one of them may have left
+        self._leaves_until(events[0].front if events else rest)
+        return [replace(event, leaving=True) for event in events]
 
     def _come_to_rest(
         self, cells: NDArray[np.float32], mean: NDArray[np.float32], block: Pixels

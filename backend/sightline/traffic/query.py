@@ -12,7 +12,7 @@ the end of its recording (who comes later may have passed beside it). Where one 
 ended, it is not told of the next one that begins within a minute, which took it for the road, nor of those
 after it until another has driven through. Of another whose rear nobody saw it is not told to the first front
 after it was given up. One of unknown lane may stand in any lane. Where segments of one stream overlap, time
-and vehicles are those of the first.
+and vehicles are those of the first, but for one that its end cut off and the next one saw whole.
 """
 
 from __future__ import annotations
@@ -26,10 +26,10 @@ from typing import Any
 import duckdb
 
 from sightline.infra.local_time import zone_of
-from sightline.linescan.parts import AT_END_S, STANDS_S, STOOD, STOPPED
+from sightline.linescan.parts import AT_END_S, CUT, STANDS_S, STOOD, STOPPED
 from sightline.linescan.traffic import class_names
 from sightline.statistics.distributions import too_few_for, vehicles_for_interval
-from sightline.traffic.archive import VEHICLES, WATCHED, files_of, sites_of
+from sightline.traffic.archive import ROUGH_S, SHARED_S, VEHICLES, WATCHED, files_of, sites_of
 from sightline.traffic.records import Asked, Site
 
 _MEMORY, _THREADS = "1GB", 2
@@ -38,7 +38,7 @@ _DAY_MINUTES = 24 * 60
 _LONGER_DAY_CELLS = 180
 #: Of an interval, for a flow and an occupancy: they speak of all of it.
 LEAST_WATCHED = 0.5
-_STOOD, _STOPPED = (str(one).replace("'", "''") for one in (STOOD, STOPPED))
+_STOOD, _STOPPED, _CUT = (str(one).replace("'", "''") for one in (STOOD, STOPPED, CUT))
 #: Of the classes: every vehicle, and those without a length.
 ALL, NO_LENGTH = "all", "length unknown"
 
@@ -92,6 +92,12 @@ class ArchiveTables:
                 lanes.append(Site(site=site, **row, **counts))
         return lanes
 
+    def vehicles(self, site: str) -> list[dict[str, Any]]:
+        """A site's vehicles as the archive has them; those `told_before` count elsewhere."""
+        return self._query_rows(
+            "SELECT * EXCLUDE (passed_at) FROM vehicles ORDER BY passed_at", site, Asked()
+        )
+
     def intervals(self, asked: Asked) -> Iterator[dict[str, Any]]:
         """One dictionary an interval, lane and class: `COLUMNS` and the percentiles', rising in time.
 
@@ -122,7 +128,8 @@ class ArchiveTables:
             f"CREATE OR REPLACE TEMP VIEW watched AS {_WATCHED.format(_read_parquet_sql(watched))}"
         )
         read = f"{_read_parquet_sql(passed)} UNION ALL BY NAME {_NOBODY}" if passed else _NOBODY
-        self._db.execute(f"CREATE OR REPLACE TEMP VIEW vehicles AS {_PASSED.format(read)}")
+        passed_sql = _PASSED.format(read, SHARED_S, _CUT, ROUGH_S)
+        self._db.execute(f"CREATE OR REPLACE TEMP VIEW vehicles AS {passed_sql}")
         result = self._db.execute(query)
         names = [one[0] for one in result.description or ()]
         return [dict(zip(names, row, strict=True)) for row in result.fetchall()]
@@ -167,7 +174,7 @@ _NOBODY = """
 SELECT NULL::DATE AS day, NULL::VARCHAR AS lane, NULL::VARCHAR AS status, NULL::DOUBLE AS since_midnight_s,
   NULL::DOUBLE AS occupied_s, NULL::DOUBLE AS speed_mps, NULL::DOUBLE AS u_speed_mps,
   NULL::DOUBLE AS length_m, NULL::DOUBLE AS time_gap_s, NULL::DOUBLE AS front_line_1,
-  false AS told_before, NULL::TIMESTAMPTZ AS passed_at, NULL::VARCHAR AS reason,
+  NULL::INTEGER AS number, false AS told_before, NULL::TIMESTAMPTZ AS passed_at, NULL::VARCHAR AS reason,
   NULL::VARCHAR AS recording_sha256 WHERE false
 """
 
@@ -177,11 +184,23 @@ SELECT * EXCLUDE (before_s) REPLACE (if(before_s - from_s > 0.001, before_s, fro
 FROM (SELECT *, max(epoch(midnight_at) + to_s) OVER (PARTITION BY lane ORDER BY start_at, day
   ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING) - epoch(midnight_at) AS before_s FROM ({}))
 """
-#: Who came while another segment watched was told of that one.
+#: Who came while another segment watched was told of that one; who was cut by its end, of the next one, where
+#: that had begun by then.
 _PASSED = """
-SELECT * EXCLUDE (first_s) REPLACE (coalesce(told_before, false) OR epoch(passed_at) < first_s AS told_before)
-FROM ({}) JOIN (SELECT recording_sha256, lane, min(epoch(midnight_at) + from_s) - 0.001 AS first_s
-  FROM watched GROUP BY recording_sha256, lane) USING (recording_sha256, lane)
+WITH passed AS ({}), begun AS (
+  SELECT recording_sha256, lane, any_value(start_at) AS start_at, min(epoch(midnight_at) + from_s) AS from_s
+  FROM watched GROUP BY recording_sha256, lane
+), cut AS (
+  SELECT passed.*, later.recording_sha256 AS told_in FROM passed JOIN begun USING (recording_sha256, lane)
+  JOIN begun AS later ON passed.lane IN (later.lane, '') AND later.start_at > begun.start_at
+    AND epoch(passed_at) - epoch(later.start_at) BETWEEN 0 AND {} WHERE reason = '{}' AND front_line_1 > 0
+)
+SELECT * EXCLUDE (start_at, from_s) REPLACE (
+  coalesce(told_before, false) OR epoch(passed_at) < least(from_s - 0.001, (
+    SELECT min(epoch(cut.passed_at)) - {} FROM cut
+    WHERE told_in = passed.recording_sha256 AND cut.lane IN (passed.lane, '')))
+  OR (recording_sha256, number) IN (SELECT (cut.recording_sha256, cut.number) FROM cut) AS told_before)
+FROM passed JOIN begun USING (recording_sha256, lane)
 """
 
 

@@ -26,7 +26,7 @@ from sightline.messages.said import Said
 from sightline.recordings.filming import Filming
 from sightline.scans.statistics.service import VehicleMotion
 from sightline.scans.statistics.traffic import Clock, ScanTraffic, Watched, traffic_of_seen
-from sightline.traffic.archive import WATCHED, files_of, require_archive, sites_of, watched_rows
+from sightline.traffic.archive import WATCHED, require_archive, sites_of, watched_rows
 from sightline.traffic.records import Passing
 from sightline.traffic.sources import (
     bytes_of,
@@ -40,7 +40,6 @@ from sightline.traffic.sources import (
 ENDINGS = (".csv", ".json", ".jsonl")
 #: A table that spans more is of several recordings, or has a wrong date.
 MOST_S = 366 * 86400.0
-_ROUNDED = timedelta(milliseconds=1)
 _FIRST_YEAR, _LAST_YEAR = 1990, 2200
 #: In the beginning of a file that speaks of scanned vehicles.
 _OF_VEHICLES = b"front_line_1"
@@ -234,25 +233,21 @@ def _passing(
 
 def _of_archive(folder: Path) -> Iterator[Results]:
     """Each recording of each site, of all its lanes."""
-    import pyarrow.parquet as pq
+    from sightline.traffic.query import ArchiveTables
 
     require_archive(folder)
     for site in sites_of(folder):
         watched: dict[str, list[dict[str, Any]]] = {}
         for row in watched_rows(folder, site):
             watched.setdefault(row["recording_sha256"], []).append(row)
-        passed: dict[str, list[dict[str, Any]]] = {}
-        for file in files_of(folder, "vehicles", site, None, None):
-            for row in pq.ParquetFile(file).read().to_pylist():
-                passed.setdefault(row["recording_sha256"], []).append(row)
-        until: dict[str, datetime] = {}
+        passed: dict[str, list[Passing]] = {}
+        with ArchiveTables(folder) as tables:
+            for row in tables.vehicles(site):
+                passed.setdefault(row["recording_sha256"], []).append(_passing_of_row(row))
         for key, rows in sorted(watched.items(), key=lambda each: each[1][0]["start_at"]):
             first = rows[0]
             watched_s = sum(each["to_s"] - each["from_s"] for each in rows if each["lane"] == first["lane"])
-            # what overlaps with the segment before was told there
-            cars = [_passing_of_row(each, until.get(each["lane"])) for each in passed.get(key, ())]
-            end = first["start_at"] + timedelta(seconds=watched_s)
-            until |= {each["lane"]: max(end, until.get(each["lane"], end)) for each in rows}
+            cars = passed.get(key, [])
             yield Results(
                 f"{site}: {first['recording']}",
                 Filming(first["start_at"], first["zone"]),
@@ -265,12 +260,9 @@ def _of_archive(folder: Path) -> Iterator[Results]:
             )
 
 
-def _passing_of_row(row: Mapping[str, Any], before: datetime | None) -> Passing:
+def _passing_of_row(row: Mapping[str, Any]) -> Passing:
     named: dict[str, Any] = {one.name: row.get(one.name) for one in fields(Passing)}
-    told_before = bool(row.get("told_before")) or (
-        before is not None and row["passed_at"] < before - _ROUNDED
-    )
-    return Passing(**{**named, "lane": row["lane"] or None, "told_before": told_before})
+    return Passing(**{**named, "lane": row["lane"] or None})
 
 
 def _motions(

@@ -26,8 +26,8 @@ class PipedLines:
 
     broken = False
 
-    def __init__(self, source: int, rows: int, ending: Ending, name: str = "The input") -> None:
-        self.name, self.notes = name, list[str]()
+    def __init__(self, source: int, rows: int, ending: Ending) -> None:
+        self.name, self.notes = "The input", list[str]()
         self._source, self._rows, self._ending = source, rows, ending
         self._held: deque[bytes] = deque()
         self._bytes = 0

@@ -95,7 +95,7 @@ class Pieces:
         return np.frombuffer(found, self.stored, len(found) // self.stored.itemsize)
 
 
-def pieces_of(page: tifffile.TiffPage, handle: int, byteorder: str, least: int = 1) -> Pieces:
+def pieces_of(page: tifffile.TiffPage, handle: int, byteorder: str) -> Pieces:
     """The pieces of a page that was checked. Raises BadInput, without the file's name, for too few."""
     width, length = page.imagewidth, page.imagelength
     tiled = page.is_tiled
@@ -103,7 +103,7 @@ def pieces_of(page: tifffile.TiffPage, handle: int, byteorder: str, least: int =
     piece_length = page.tilelength if tiled else _rows_per_strip(page)
     across, down = -(-width // max(1, piece_width)), -(-length // max(1, piece_length))
     offsets, counts = np.asarray(page.dataoffsets, np.int64), np.asarray(page.databytecounts, np.int64)
-    if min(piece_width, piece_length) < 1 or min(len(offsets), len(counts)) < max(least, across * down):
+    if min(piece_width, piece_length) < 1 or min(len(offsets), len(counts)) < max(1, across * down):
         raise BadInput("strips-index-size")
     stored = np.dtype(f"{byteorder}u{page.bitspersample // 8}")
     return Pieces(

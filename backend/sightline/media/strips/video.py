@@ -50,7 +50,6 @@ def cut_strips(
     time_s: NDArray[np.float64],
     *,
     along: CutAlong = "columns",
-    tick_s: float = 0.001,
     work_dir: Path | None = None,
     name: str | None = None,
     on_progress: Callable[[float], None] = lambda _: None,
@@ -66,7 +65,7 @@ def cut_strips(
     """
     name = name or path.name
     require_whole(path, name, stream_number)
-    rate_hz = line_rate(time_s, name, tick_s)
+    rate_hz = line_rate(time_s, name)
     folder = work_dir or Path(tempfile.gettempdir())
     with (
         tempfile.TemporaryFile(dir=folder) as first,

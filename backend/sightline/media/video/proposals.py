@@ -95,7 +95,6 @@ def propose_in_video(
     rate_hz: float | None = None,
     on_progress: Progress = lambda _: None,
     is_cancelled: Cancelled = lambda: False,
-    threads: int = 1,
     name: str | None = None,
     stream_number: int | None = None,
 ) -> Iterator[tuple[int, Proposals | str]]:
@@ -106,7 +105,7 @@ def propose_in_video(
     """
     name = name or path.name
     with closing(open_container(path, name)) as container:
-        stream = video_stream(container, name, threads, stream_number)
+        stream = video_stream(container, name, 1, stream_number)
         collector = _Collector(passes, pose, rate_hz or float(stream.average_rate or 25))
         stopped = partial(Stopped, "video-proposals-cancelled")
         watch = Watch(on_progress, is_cancelled, name, path.stat().st_size, stopped)

@@ -195,7 +195,7 @@ class Segment:
             counted = always or not self._before.has(passage.crossings.front_line_1, self.finder.spans.guard)
             dropped = (self.cameras[0].dropped, self.cameras[1].dropped)
             vehicle = self._follower.next(without_losses(passage, dropped), counted=counted)
-            if counted:
+            if counted and vehicle is not None:
                 self.vehicles = vehicle.number
                 self.found += vehicle.motion.status == "ok"
                 at = self.time_of(passage.crossings.front_line_1)
@@ -265,7 +265,7 @@ class Remainder:
                 noise_dn=0.0,
                 reason=STOOD,
             )
-            yield self._vehicle(passage, counted=True)
+            yield from self._tell_vehicle(passage, counted=True)
 
     def complete(self) -> Iterator[LiveVehicle]:
         """The vehicles that were not told before and are complete."""
@@ -302,9 +302,7 @@ class Remainder:
         for passage in passages:
             moved = _move_passage(passage, self._start)
             counted = not self._before.has(moved.crossings.front_line_1, self.finder.spans.guard)
-            vehicle = self._vehicle(without_losses(moved, dropped), counted=counted)
-            if counted:
-                yield vehicle
+            yield from self._tell_vehicle(without_losses(moved, dropped), counted=counted)
 
     def _roads(self, camera: int, fronts: Sequence[float]) -> list[Road]:
         """What the lines before these fronts show."""
@@ -323,12 +321,12 @@ class Remainder:
                 roads.append(first_road(block, finder.grid, finder.spans.road))
         return roads
 
-    def _vehicle(self, passage: Passage, *, counted: bool) -> LiveVehicle:
+    def _tell_vehicle(self, passage: Passage, *, counted: bool) -> Iterator[LiveVehicle]:
         vehicle = self._follower.next(passage, counted=counted)
-        if counted:
+        if counted and vehicle is not None:
             self._told.append(passage.crossings)
-        at = self._facts.began_at + timedelta(seconds=vehicle.front_s)
-        return LiveVehicle(self._facts.number, self._begin, vehicle, at)
+            at = self._facts.began_at + timedelta(seconds=vehicle.front_s)
+            yield LiveVehicle(self._facts.number, self._begin, vehicle, at)
 
 
 def trim_to_common_lines(paths: tuple[Path, Path], stop: int | None = None) -> int:

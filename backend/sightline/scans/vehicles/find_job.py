@@ -13,6 +13,7 @@ from sightline.infra.version import code_version
 from sightline.linescan import faults
 from sightline.linescan.finding import Finder
 from sightline.linescan.parts import STOOD, STOPPED, Motion, Rig
+from sightline.linescan.passing import is_told
 from sightline.linescan.rig import gain, misalignment
 from sightline.messages.said import Said
 from sightline.scans.records import RunSummary, Scan, ScanRunValues, ScanValues, ScanVehicle, same_motion
@@ -80,7 +81,8 @@ def search(report: Report, rig: Rig, method: ScanMethod, readers: Readers) -> Se
     finder = Finder(readers[0].rows, rig, readers[0].bits)
     motions: list[Motion] = []
     for done, passages in _passages(finder, readers):
-        motions += [measure_passage(one, rig, method, readers) for one in passages]
+        measured = [(one, measure_passage(one, rig, method, readers)) for one in passages]
+        motions += [motion for one, motion in measured if is_told(one, motion)]
         report(0.9 * done / readers[0].lines, Said("job-vehicles-found", count=len(motions)))
     motions.sort(key=lambda one: one.crossings.front_line_1)
     return Search(tuple(motions), tuple(faults.notes_of(finder)))
