@@ -266,7 +266,7 @@ def error_group(
     ci95 = {name: shares_ci95.get(name) for name in names}
     holds = {name: holds[name] for name in names if ci95[name]}
     why = Said("stat-errors-without-interval")
-    return ErrorGroup(n, figures, ci95, why, holds, words if holds else None)
+    return ErrorGroup(n, figures, ci95, reason=why, holds=holds, words=words if holds else None)
 
 
 def _totals(
