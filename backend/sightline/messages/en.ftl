@@ -4115,8 +4115,20 @@ study-none-counts = { $name } has no accepted height that counts; it does not co
 study-versions = Packages come from { NUMBER($count) } versions with identical tables: { $versions }.
 study-one-site = One site: the intervals apply to that site only.
 study-outside-sample = { NUMBER($count) } accepted heights are of vehicles outside their survey’s sample; they do not count.
-study-without-class = { NUMBER($count) } heights of { $target } have no class of the fleet; they do not count.
-study-sites-unlike = { $target }: sites differ by more than half of what their vehicles do. Intervals of percentiles far from the median hold the truth less often than 95 % then; measure at more sites, or put sites of one kind into a stratum.
+study-without-class = { NUMBER($count) } heights of { $target ->
+    [roof] roofs
+    [driver_eye] drivers’ eyes
+    [taillight] taillights
+    [headlight] headlights
+   *[other] other points
+} have no class of the fleet; they do not count.
+study-sites-unlike = { $target ->
+    [roof] Roofs
+    [driver_eye] Drivers’ eyes
+    [taillight] Taillights
+    [headlight] Headlights
+   *[other] Other points
+}: sites differ by more than half of what their vehicles do. Intervals of percentiles far from the median hold the truth less often than 95 % then; measure at more sites, or put sites of one kind into a stratum.
 study-all-simulated = Simulated: no value describes real roads.
 study-some-simulated = { NUMBER($count) } of { NUMBER($surveys) } surveys are simulated: no value of this study describes real roads.
 study-heights-needed = at least { $least } heights are needed

@@ -4111,8 +4111,20 @@ study-none-counts = { $name } n’a pas de hauteur validée qui compte ; il ne
 study-versions = Les archives viennent de { NUMBER($count) } versions aux tables identiques : { $versions }.
 study-one-site = Un seul site : les intervalles ne valent que pour lui.
 study-outside-sample = { NUMBER($count) } hauteurs validées sont de véhicules hors de l’échantillon de leur relevé ; elles ne comptent pas.
-study-without-class = { NUMBER($count) } hauteurs ({ $target }) n’ont pas de classe du parc ; elles ne comptent pas.
-study-sites-unlike = { $target } : les sites diffèrent de plus de la moitié de ce dont diffèrent leurs véhicules. Les intervalles de centiles loin de la médiane contiennent alors la vraie valeur dans moins de 95 % des cas ; mesurez à plus de sites, ou réunissez en une strate les sites d’une même sorte.
+study-without-class = { NUMBER($count) } hauteurs { $target ->
+    [roof] de toits
+    [driver_eye] d’yeux de conducteur
+    [taillight] de feux arrière
+    [headlight] de projecteurs
+   *[other] d’autres points
+} n’ont pas de classe du parc ; elles ne comptent pas.
+study-sites-unlike = { $target ->
+    [roof] Toits
+    [driver_eye] Yeux de conducteur
+    [taillight] Feux arrière
+    [headlight] Projecteurs
+   *[other] Autres points
+} : les sites diffèrent de plus de la moitié de ce dont diffèrent leurs véhicules. Les intervalles de centiles loin de la médiane contiennent alors la vraie valeur dans moins de 95 % des cas ; mesurez à plus de sites, ou réunissez en une strate les sites d’une même sorte.
 study-all-simulated = Simulée : aucune valeur ne décrit des routes réelles.
 study-some-simulated = { NUMBER($count) } relevés sur { NUMBER($surveys) } sont simulés : aucun chiffre de l’étude ne dit rien de routes réelles.
 study-heights-needed = ses chiffres demandent au moins { $least } hauteurs
