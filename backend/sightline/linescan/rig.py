@@ -298,7 +298,7 @@ def baseline_ratio(
     spread = float(np.std(ratios, ddof=1))
     U95 = expanded(u)
     if abs(mean - 1) <= U95:
-        off_percent, U95_percent = (round(100 * share, 2) for share in (mean - 1, U95))
+        off_percent, U95_percent = (round(100 * share, 2) for share in (abs(mean - 1), U95))
         agrees = Said("rig-baseline-agrees", count=n, of=of, off_percent=off_percent, U95_percent=U95_percent)
         return RigEstimate(mean, u, spread, n, agrees=agrees)
     warning = Said(
