@@ -37,7 +37,7 @@ def test_the_board_that_is_typed_comes_as_pdf_at_true_size(viewer: Client) -> No
     ("asked", "said"),
     [
         ("columns=2&rows=6&square_m=0.025", "2x6"),
-        (f"{ASKED}&paper=A9", "Paper 'A9' is not known"),
+        (f"{ASKED}&paper=A9", "Paper 'A9' cannot be used"),
         ("columns=40&rows=30&square_m=0.1", "larger than A0"),
         (f"{ASKED}&board_kind=charuco", "ChArUco"),
     ],
