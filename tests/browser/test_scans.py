@@ -347,7 +347,7 @@ def test_traffic_by_the_clock_stands_below_the_results(
 @pytest.mark.parametrize(
     ("locale", "views"),
     [
-        ("en-GB", ("Flow", "Speeds and headways", "Length classes")),
+        pytest.param("en-GB", ("Flow", "Speeds and headways", "Length classes"), marks=pytest.mark.proof),
         ("fr-FR", ("Débit", "Vitesses et TIV", "Classes de longueur")),
     ],
 )

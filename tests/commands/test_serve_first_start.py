@@ -1,4 +1,6 @@
-"""`sightline serve`: the first start's link, the second start without one, ends, and a port that is taken."""
+"""`sightline serve`: settings and a port that cannot be used; in `make proofs` the first start's link, the
+second start without one, and their ends.
+"""
 
 import http.client
 import json
@@ -78,6 +80,15 @@ def said(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) ->
     return run
 
 
+def test_a_port_that_is_taken_is_named(tmp_path: Path, said: Said) -> None:
+    with listen("127.0.0.1", 0) as listener:
+        port = str(listener.getsockname()[1])
+        status, out, err = said("serve", "--data-dir", str(tmp_path / "data"), "--port", port)
+    assert status == 2 and f"Port {port}" in err and not out
+    assert err.count("\n") == 1
+
+
+@pytest.mark.proof
 def test_a_first_start_a_second_and_what_is_left_behind(
     tmp_path: Path, started: list[Server], said: Said
 ) -> None:

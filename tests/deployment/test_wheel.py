@@ -83,6 +83,7 @@ def test_it_holds_pages_migrations_and_templates(wheel: Path) -> None:
     assert not any("__pycache__" in name or name.startswith("tests/") for name in names)
 
 
+@pytest.mark.proof
 def test_it_serves_the_app_from_an_empty_folder(served: Server) -> None:
     served.wait()
     with urllib.request.urlopen(f"{served.url}/api/health") as answer:

@@ -86,7 +86,7 @@ def test_a_package_is_kept() -> None:
     assert RELEASED and all(place.stat().st_size < 600_000 for place in RELEASED)
 
 
-def test_a_package_of_an_earlier_version_verifies(released: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_package_of_an_earlier_version_verifies(released: Path) -> None:
     found = check(released)
     assert found.ok, found.problem
     compared = len(rows(released, "revisions.csv")) + len(rows(released, "repeats.csv"))
@@ -94,6 +94,13 @@ def test_a_package_of_an_earlier_version_verifies(released: Path, capsys: pytest
     version = json.loads((released / "datapackage.json").read_text())["made_with"]["sightline"]
     assert f"Made by version {version}" in " ".join(found.notes)
     assert ("drawings" in found.not_checked) == (found.drawings == 0)
+
+
+@ONE_RELEASED
+def test_an_anchor_tells_what_is_said_of_a_package_of_an_earlier_version(
+    released: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    found = check(released)
     assert main(["verify", str(released), "--json"]) == (3 if found.not_checked else 0)
     told = json.loads(capsys.readouterr().out)
     assert (told["not_checked"], told["problems"]) == (found.not_checked, [])

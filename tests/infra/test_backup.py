@@ -212,6 +212,7 @@ def test_what_is_written_once_stays_so_after_a_restore(
     engine.dispose()
 
 
+@pytest.mark.once
 def test_the_folder_is_for_its_owner_alone(filled: Services, tmp_path: Path) -> None:
     made = backed_up(filled, tmp_path / "backup").manifest
     state = tmp_path / "backup" / STATES / made.state
@@ -236,6 +237,7 @@ def test_only_what_is_new_is_copied(filled: Services, tmp_path: Path) -> None:
     assert not (tmp_path / "backup" / JOURNAL).exists()
 
 
+@pytest.mark.once
 def test_a_stopped_backup_goes_on_and_leaves_the_one_before_whole(
     filled: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, new_place: NewPlace
 ) -> None:
@@ -308,8 +310,19 @@ sys.exit(main(sys.argv[3:]))
 
 
 @pytest.mark.once  # media are copied before the database is, of whatever kind it is
-@pytest.mark.parametrize("files", [50, pytest.param(120, marks=pytest.mark.proof)])
-def test_a_killed_backup_goes_on(filled: Services, tmp_path: Path, new_place: NewPlace, files: int) -> None:
+@pytest.mark.parametrize(
+    ("files", "places"),
+    [
+        (20, ("replace",)),
+        *(
+            pytest.param(files, ("check_room", "replace", "sync_to_disk"), marks=pytest.mark.proof)
+            for files in (50, 120)
+        ),
+    ],
+)
+def test_a_killed_backup_goes_on(
+    filled: Services, tmp_path: Path, new_place: NewPlace, files: int, places: tuple[str, ...]
+) -> None:
     """SIGKILL before a file, when it is written, and when it is in its place but not noted: what was copied
     is not copied again, and nothing looks whole before it is.
     """
@@ -319,7 +332,7 @@ def test_a_killed_backup_goes_on(filled: Services, tmp_path: Path, new_place: Ne
     asked = ["backup", str(folder), "--data-dir", str(settings.data_dir)]
     addresses = {"SIGHTLINE_DATABASE_URL": settings.database_url, "SIGHTLINE_MEDIA_URL": settings.media_url}
     copied = 0
-    for where in ("check_room", "replace", "sync_to_disk"):
+    for where in places:
         command = [sys.executable, "-c", KILLED, where, "16", *asked]
         done = subprocess.run(command, env=os.environ | addresses, stderr=subprocess.DEVNULL, check=False)
         assert done.returncode == -signal.SIGKILL
@@ -338,6 +351,7 @@ def _lines(path: Path) -> int:
     return path.read_bytes().count(b"\n") if path.is_file() else 0
 
 
+@pytest.mark.once
 def test_media_in_s3(
     filled: Services, open_s3: OpenS3, tmp_path: Path, new_place: NewPlace, s3_endpoint: str
 ) -> None:
@@ -550,6 +564,7 @@ def test_folders_that_hold_other_things_are_left_alone(filled: Services, tmp_pat
                 backed_up(apart, folder)
 
 
+@pytest.mark.once
 def test_a_backup_of_another_installation_is_not_replaced(filled: Services, tmp_path: Path) -> None:
     backed_up(filled, tmp_path / "backup")
     path = tmp_path / "backup" / MANIFEST
@@ -562,6 +577,7 @@ def test_a_backup_of_another_installation_is_not_replaced(filled: Services, tmp_
     assert path.read_bytes() == before
 
 
+@pytest.mark.once
 def test_the_two_latest_states_are_kept_and_either_is_restored(
     filled: Services, tmp_path: Path, new_place: NewPlace
 ) -> None:

@@ -244,6 +244,7 @@ def test_a_secret_that_is_told_once_is_kept_nowhere(admin: Client, services: Ser
         assert session.execute(select(idempotency_keys.c.answer)).scalars().all() == [None]
 
 
+@pytest.mark.once
 def test_every_answer_with_a_secret_says_so() -> None:
     secret = {"link", "text"}
     told = set()

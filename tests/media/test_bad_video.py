@@ -20,6 +20,7 @@ from sightline.media.video.sniff import played_in_parts
 from tests.media.clips import QVGA, SMALL, Spec, edited, read_number, write
 from tests.media.conftest import Clip, Ingest, media_of
 from tests.media.test_other_recorders import two_pictures
+from tests.support.proofs import every
 
 
 def refusal(path: Path) -> str:
@@ -133,7 +134,7 @@ def test_a_header_that_claims_an_absurd_size_is_refused(
     assert peak < 50_000_000
 
 
-@pytest.mark.parametrize("tenth", range(1, 10))
+@pytest.mark.parametrize("tenth", every(4, range(1, 10)))
 @pytest.mark.parametrize("name", ["front.mp4", "a.mkv", "a.avi", "a.ts", "a.h264"])
 def test_truncated_files_give_their_frames_or_a_sentence(
     name: str, tenth: int, clip: Clip, tmp_path: Path, take_in: Ingest

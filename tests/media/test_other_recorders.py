@@ -25,6 +25,7 @@ from sightline.media.video.stated import Stated
 from sightline.recordings.ingest_job import facts_of
 from tests.media.clips import QVGA, SMALL, X264_B, X264_OPEN, Spec, painted, read_number, tagged, write
 from tests.media.conftest import Clip, Ingest, media_of
+from tests.support.proofs import every
 
 CLOCK_S = 2**33 / 90_000
 
@@ -189,7 +190,7 @@ def packs(data: bytes) -> list[int]:
     return found
 
 
-@pytest.mark.parametrize("share", [0.2, 0.5])
+@pytest.mark.parametrize("share", every(2, [0.2, 0.5]))
 @pytest.mark.parametrize(
     "spec",
     [

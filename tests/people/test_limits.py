@@ -46,6 +46,7 @@ def test_failed_sign_ins_count_in_all_processes(both: list[Client]) -> None:
     assert wrong(both[1], "somebody@example.org") == 401
 
 
+@pytest.mark.once
 def test_links_are_not_guessed_by_the_thousand(both: list[Client]) -> None:
     answers = [both[n % 2].post("/session/link", {"token": f"guess {n}"}).status_code for n in range(52)]
     assert answers == [401] * 50 + [429] * 2

@@ -49,6 +49,7 @@ def test_first_start_makes_one_admin_who_signs_in_once(
         assert len(list_people(session)) == 1
 
 
+@pytest.mark.once
 def test_the_cookie_is_http_only_and_same_site_strict(admin: Client, nobody: Client) -> None:
     link = admin.made("/people", {"name": "Ann", "email": "ann@example.org", "role": "viewer"})["link"]
     answer = nobody.post("/session/link", {"token": token_of(link)})
@@ -58,6 +59,7 @@ def test_the_cookie_is_http_only_and_same_site_strict(admin: Client, nobody: Cli
     assert answer.headers["cache-control"] == "no-store"
 
 
+@pytest.mark.once
 def test_a_forged_or_changed_cookie_is_nobody(admin: Client, nobody: Client) -> None:
     good = admin.http.cookies[COOKIE]
     for bad in ("", "x", good[:-2] + "aa", good.replace(".", "", 1), "WzEsMSwwXQ.abc.def"):
@@ -84,6 +86,7 @@ def test_password_then_sign_in(app: FastAPI, operator: Client) -> None:
     assert other.get("/session").status_code == 200
 
 
+@pytest.mark.once
 def test_passwords_are_hashed_with_much_work(quick_passwords: PasswordHasher) -> None:
     """As RFC 9106 recommends where memory is short, at least; all other tests hash them quickly."""
     assert quick_passwords.memory_cost >= 64 * 1024 and quick_passwords.time_cost >= 3
@@ -91,6 +94,7 @@ def test_passwords_are_hashed_with_much_work(quick_passwords: PasswordHasher) ->
     assert stored.startswith("$argon2id$") and quick_passwords.verify(stored, PASSWORD)
 
 
+@pytest.mark.once
 @pytest.mark.parametrize(
     "new", [" " * 10, "a" * 12, "aAaAaAaAaA", "a b a b a b", "\t \u00a0\u2003 \t \u00a0 \t\t", "1" * 1000]
 )
@@ -130,6 +134,7 @@ def test_whoever_is_switched_off_comes_back_by_no_old_link(
     assert fresh(app).post("/session/link", {"token": link}).status_code == 401
 
 
+@pytest.mark.once
 def test_whoever_is_switched_off_is_given_no_link(admin: Client, operator: Client) -> None:
     """It would hold once they are switched on again."""
     me = operator.seen("/session")["person"]
@@ -251,12 +256,14 @@ def test_success_forgets_failures(app: FastAPI, operator: Client) -> None:
         assert good.status_code == 200
 
 
+@pytest.mark.once
 def test_sign_out(operator: Client) -> None:
     assert operator.delete("/session").status_code == 204
     assert operator.get("/session").status_code == 401
     assert operator.delete("/session").status_code == 204
 
 
+@pytest.mark.once
 def test_a_copied_cookie_is_worth_nothing_after_signing_out(app: FastAPI, operator: Client) -> None:
     copied = fresh(app)
     copied.http.cookies.set(COOKIE, operator.http.cookies[COOKIE])
@@ -267,6 +274,7 @@ def test_a_copied_cookie_is_worth_nothing_after_signing_out(app: FastAPI, operat
     assert copied.delete("/session").status_code == 204
 
 
+@pytest.mark.once
 def test_what_was_read_before_a_change_is_not_believed_after_it(app: FastAPI, operator: Client) -> None:
     """A request that looks the person up while another one ends their session."""
     cookies = app.state.sign_in

@@ -61,6 +61,7 @@ def test_made_and_revoked_tokens_stand_in_the_chain(operator: Client, services: 
     assert text not in str(events) and token_store.token_hash(text) not in str(events)
 
 
+@pytest.mark.once
 def test_a_form_is_one_request(app: FastAPI, operator: Client, monkeypatch: pytest.MonkeyPatch) -> None:
     """Who sends it is asked before it is read, and again by its route."""
     spent = list[int]()
@@ -111,6 +112,7 @@ def test_others_tokens_are_neither_seen_nor_revoked(operator: Client, viewer: Cl
     assert len(operator.seen("/session/tokens")) == 1
 
 
+@pytest.mark.once
 def test_a_cookie_counts_for_nothing_beside_a_token(app: FastAPI, operator: Client, viewer: Client) -> None:
     """So a write may be without the header against cross-site requests only where no cookie decides."""
     operator.http.headers["Authorization"] = "Bearer sightline_wrong"
@@ -125,6 +127,7 @@ def test_a_cookie_counts_for_nothing_beside_a_token(app: FastAPI, operator: Clie
     assert "X-Sightline" in error_of(operator.post("/surveys", {"name": "no"}))
 
 
+@pytest.mark.once
 def test_no_token_makes_tokens(app: FastAPI, operator: Client) -> None:
     _, text = made(operator, "read", "upload", "measure", "review", "export")
     client = program(app, text)
@@ -133,6 +136,7 @@ def test_no_token_makes_tokens(app: FastAPI, operator: Client) -> None:
     assert client.get("/session/tokens").status_code == 403
 
 
+@pytest.mark.once
 def test_what_cannot_be_a_token_is_refused(operator: Client, monkeypatch: pytest.MonkeyPatch) -> None:
     for body in (
         {"name": " ", "scopes": ["read"]},

@@ -96,6 +96,7 @@ def test_a_height_chosen_by_size_is_neither_an_error_in_review_nor_a_doubt(
     assert errors[False] == pytest.approx(-0.2, abs=1e-3) and errors[True] is None
 
 
+@pytest.mark.once
 def test_a_makers_height_without_a_u_is_no_exact_one(
     operator: Client, reviewer: Client, ground: Ground
 ) -> None:
@@ -114,6 +115,7 @@ def test_a_makers_height_without_a_u_is_no_exact_one(
     assert doubt["kind"] == "far_from_maker"
 
 
+@pytest.mark.once
 def test_the_package_says_it_and_computes_the_same_from_its_files(
     services: Services, viewer: Client, ground: Ground, cars: list[dict[str, Any]], tmp_path: Path
 ) -> None:

@@ -89,6 +89,7 @@ def test_errors_are_told_by_target_and_check_targets_count_nowhere_else(
     assert of_all["in_sample"] == 3
 
 
+@pytest.mark.once
 def test_a_package_carries_them_and_a_forged_one_is_found(
     services: Services, compared: Ground, tmp_path: Path
 ) -> None:
@@ -116,6 +117,7 @@ def test_a_package_carries_them_and_a_forged_one_is_found(
         assert not verify_package(FolderFiles(forged)).ok
 
 
+@pytest.mark.once
 def test_a_known_height_that_cannot_be_is_refused(operator: Client, ground: Ground) -> None:
     car = add_vehicle(operator, ground.recording_id)["id"]
     for wrong in ({"known_driver_eye_m": 1160.0}, {"u_known_other_m": -0.1}):

@@ -128,6 +128,7 @@ def test_a_check_target_is_to_do_whatever_the_sample(
     assert (counts["vehicles"], counts["vehicles_measured"]) == (2, 1)
 
 
+@pytest.mark.once
 def test_clicks_without_a_height_measure_nothing(
     operator: Client, viewer: Client, ground: Ground, services: Services, tmp_path: Path
 ) -> None:
@@ -158,6 +159,7 @@ def test_free_flowing_vehicles_alone(operator: Client, viewer: Client, ground: G
     assert [viewer.seen(f"/vehicles/{one}")["in_sample"] for one in ids] == [True, False, True]
 
 
+@pytest.mark.once
 def test_discarding_and_measuring_exclude_each_other(operator: Client, ground: Ground) -> None:
     (one, other) = fleet(operator, ground, 2)
     measure(operator, one)
@@ -170,6 +172,7 @@ def test_discarding_and_measuring_exclude_each_other(operator: Client, ground: G
     assert operator.put(f"/vehicles/{other}", {"discarded": "tired", "version": 3}).status_code == 422
 
 
+@pytest.mark.once
 @pytest.mark.parametrize(
     ("wrong", "word"),
     [
@@ -190,6 +193,7 @@ def test_a_rule_that_cannot_be_is_refused(
     assert operator.seen(f"/surveys/{survey_id}")["version"] == 1
 
 
+@pytest.mark.once
 def test_the_package_holds_rule_and_response_and_finds_a_forged_one(
     operator: Client,
     ground: Ground,
@@ -224,6 +228,7 @@ def test_the_package_holds_rule_and_response_and_finds_a_forged_one(
     assert "sample" in str(verify_package(FolderFiles(place)).problem)
 
 
+@pytest.mark.once
 def test_the_rule_is_held_against_the_chain(
     operator: Client, ground: Ground, services: Services, tmp_path: Path
 ) -> None:
@@ -289,6 +294,7 @@ def test_one_population_wherever_heights_are_counted(
     assert sorted(of_command.height_m) == sorted(here.heights("roof").height_m)
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("selected", [pytest.param(False, marks=pytest.mark.proof), True])
 def test_commands_evaluate_the_clicks_that_the_report_evaluates(
     operator: Client,
@@ -339,6 +345,7 @@ def test_commands_evaluate_the_clicks_that_the_report_evaluates(
     assert {key: len(of.height_m) for key, of in group.rows.items()} == told
 
 
+@pytest.mark.once
 def test_what_counts_is_held_against_the_chain_and_the_passes(
     operator: Client, ground: Ground, services: Services, tmp_path: Path
 ) -> None:

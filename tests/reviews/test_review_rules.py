@@ -205,6 +205,7 @@ def test_another_click_sigma_or_target_is_not_for_who_gave_it_to_review(
     assert judge(admin, changed.json(), "accepted").status_code == 201
 
 
+@pytest.mark.once
 def test_what_was_withdrawn_or_deleted_is_restored_before_it_is_changed(
     operator: Client, reviewer: Client, vehicle_id: int
 ) -> None:
@@ -255,6 +256,7 @@ def test_rejected_work_goes_back_until_there_is_a_new_revision(
     assert [(one["verdict"], one["revision"]) for one in history["reviews"]] == [("rejected", 1)]
 
 
+@pytest.mark.once
 def test_reopened_waits_for_a_reviewer_again(
     operator: Client, reviewer: Client, ground: Ground, vehicle_id: int
 ) -> None:
@@ -267,6 +269,7 @@ def test_reopened_waits_for_a_reviewer_again(
     assert "measurements" not in queue[0]["vehicle"]
 
 
+@pytest.mark.once
 def test_a_fix_needs_points_and_only_a_fix_has_them(
     operator: Client, reviewer: Client, ground: Ground, vehicle_id: int
 ) -> None:
@@ -375,6 +378,7 @@ def test_what_is_most_likely_wrong_comes_first_and_ones_own_last(
     assert [item["measurement"]["id"] for item in page] == ids[1:3]
 
 
+@pytest.mark.once
 def test_a_rejected_height_raises_no_doubt(operator: Client, reviewer: Client, vehicle_id: int) -> None:
     """It counts nowhere: neither is it doubted, nor is another one because of it."""
     measure(operator, vehicle_id, **clicks(1.3))

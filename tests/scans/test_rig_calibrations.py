@@ -71,6 +71,7 @@ def test_passes_are_looked_at_and_change_nothing(operator: Client, scan_id: int)
     assert rig_of(operator, scan_id) == before and operator.seen(f"/scans/{scan_id}/rig-calibrations") == []
 
 
+@pytest.mark.once
 def test_a_table_without_a_calibration_says_why(operator: Client, scan_id: int) -> None:
     lines = "\n".join([HEADER, "a,3,0.02,1,1.6,0.001", "b,3,0.02,1,1.6,0.001", "c,3.1,0.02,1,1.6,0.001"])
     sent = {"files": {"file": ("p.csv", lines.encode(), "text/csv")}}
@@ -111,6 +112,7 @@ def test_a_calibration_is_put_in_force_by_who_saw_the_rig(
         assert verify_records(session).ok
 
 
+@pytest.mark.once
 def test_without_the_distance_of_the_vehicles_nothing_is_put_in_force(
     operator: Client, services: Services, scan_id: int
 ) -> None:
@@ -159,6 +161,7 @@ def test_a_scan_that_was_calibrated_stays(operator: Client, scan_id: int) -> Non
     assert operator.delete(f"/scans/{scan_id}").status_code == 409
 
 
+@pytest.mark.once
 def test_a_boards_lines_are_those_of_the_strips(operator: Client, scan_id: int) -> None:
     """No line rate is used: the board's own width is the scale."""
     names = ("width_m", "u_width_m", "front_line_1", "rear_line_1", "front_line_2", "rear_line_2")

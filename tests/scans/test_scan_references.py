@@ -102,6 +102,7 @@ def test_a_reference_is_replaced_by_who_saw_it_and_taken_back(operator: Client, 
 
 
 @pytest.mark.once
+@pytest.mark.once
 @pytest.mark.parametrize(
     ("body", "said"),
     [
@@ -172,6 +173,7 @@ def test_a_csv_is_previewed_and_imported_line_by_line(operator: Client, scan_id:
     assert "Replaces the speed 19.4444 m/s" in words and "Was a run of The Golf." in words
 
 
+@pytest.mark.once
 @pytest.mark.once
 @pytest.mark.parametrize(
     ("text", "said"),
@@ -411,6 +413,7 @@ def test_what_fits_several_is_named_and_nothing_of_it_is_stored(operator: Client
     assert all(one["references"] == [] and one["run_of"] is None for one in rest)
 
 
+@pytest.mark.once
 def test_times_need_a_confirmed_start(operator: Client, scan_id: int) -> None:
     text = f"time,source,speed_kmh,u_speed_kmh\n{clock(SECONDS[0])},radar,70,0.5\n"
     refused = sent(operator, scan_id, "preview", text)

@@ -23,6 +23,7 @@ def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
     return lay_ground(services, survey_id, recording_id)
 
 
+@pytest.mark.once
 def test_the_usual_table_names_every_class_once() -> None:
     assert tuple(one.category for one in USUAL_CLASSES) == get_args(Category)
     assert {one.class_set for one in USUAL_CLASSES} == {*get_args(ClassSet), None}
@@ -45,6 +46,7 @@ def test_a_class_is_put_into_another_set(operator: Client, viewer: Client, surve
     assert operator.put(path, {"name": "Paris", "version": 2}).json()["classes"] == changed
 
 
+@pytest.mark.once
 def test_a_table_that_cannot_be_is_refused(operator: Client, survey_id: int) -> None:
     path = f"/surveys/{survey_id}"
     twice = operator.put(

@@ -40,6 +40,7 @@ def test_rows_that_can_be_used_are_stored_and_the_others_named(operator: Client,
     assert (again["added"], again["updated"]) == (0, 0) and again["plan"]["counts"]["same"] == 2
 
 
+@pytest.mark.once
 def test_a_list_with_semicolons_is_read_and_decimal_commas_are_named(operator: Client) -> None:
     content = b"make;model;height;length;width\nAudi;A3;1.43;4.34;1.82\nAudi;A4;1,43;4.7;1.8\n"
     done = send(operator, content).json()  # type: ignore[attr-defined]
@@ -50,6 +51,7 @@ def test_a_list_with_semicolons_is_read_and_decimal_commas_are_named(operator: C
     assert operator.seen("/catalogue?q=a3")[0]["height_m"] == 1.43
 
 
+@pytest.mark.once
 @pytest.mark.parametrize(
     ("content", "taken", "refused"),
     [
@@ -87,6 +89,7 @@ def test_a_name_is_the_same_however_its_marks_are_written(operator: Client) -> N
     assert (again["added"], again["plan"]["counts"]["same"]) == (0, 2)
 
 
+@pytest.mark.once
 def test_a_file_that_is_no_table_is_refused_in_words(operator: Client) -> None:
     for content, word in (
         (b"", "make"),
@@ -101,6 +104,7 @@ def test_a_file_that_is_no_table_is_refused_in_words(operator: Client) -> None:
         assert word in sentence and "cars.csv" in sentence
 
 
+@pytest.mark.once
 def test_a_preview_is_in_the_language_that_is_asked_for(operator: Client) -> None:
     content = 'make,model,height_m\nAldo,One,"1,43"\nAldo,Two,1.43\nAldo,Two,1.5\n'
     files = {"file": ("cars.csv", content.encode(), "text/csv")}
@@ -179,6 +183,7 @@ def test_a_conflict_that_keeps_what_there_is_changes_nothing(operator: Client, v
     assert preview(operator, content, "on_conflict=replace")["stored"] == 2
 
 
+@pytest.mark.once
 def test_feet_that_pass_for_metres_are_refused_as_a_whole(operator: Client, viewer: Client) -> None:
     content = "make,model,height_m,length_m\n" + "".join(
         f"Make,Model {n},{4.7 + 0.01 * n:.2f},{14.2 + 0.1 * n:.1f}\n" for n in range(20)
@@ -194,6 +199,7 @@ def test_feet_that_pass_for_metres_are_refused_as_a_whole(operator: Client, view
     assert (found["height_m"], found["length_m"]) == (1.43256, 4.32816)
 
 
+@pytest.mark.once
 def test_units_are_read_from_headers_and_columns_are_mapped(operator: Client, viewer: Client) -> None:
     content = (
         "Marque;Modèle;Height (mm);Length_cm;Wheelbase [in];Couleur\nRenault;Zoe;1562;408.7;101.9;blue\n"
@@ -223,6 +229,7 @@ def test_units_are_read_from_headers_and_columns_are_mapped(operator: Client, vi
     )
 
 
+@pytest.mark.once
 def test_a_u_without_a_unit_has_that_of_its_size(operator: Client, viewer: Client) -> None:
     send(
         operator,
@@ -232,6 +239,7 @@ def test_a_u_without_a_unit_has_that_of_its_size(operator: Client, viewer: Clien
     assert (jogger["u_height_m"], jogger["u_wheelbase_m"]) == (0.0008, 0.0005)
 
 
+@pytest.mark.once
 def test_what_fills_a_gap_takes_no_u_from_a_size_that_it_repeats(operator: Client, viewer: Client) -> None:
     send(operator, b"make,model,height_m,u_height_m,height_source\nLada,Niva,1.64,0.005,tape\n")
     again = b"make,model,height_m,wheelbase_m,source\nLada,Niva,1.640,2.2,a list\n"
@@ -242,6 +250,7 @@ def test_what_fills_a_gap_takes_no_u_from_a_size_that_it_repeats(operator: Clien
     assert (niva["height_m"], niva["u_height_m"], niva["height_source"]) == (1.64, 0.005, "tape")
 
 
+@pytest.mark.once
 def test_another_u_of_the_same_size_is_a_conflict(operator: Client, viewer: Client) -> None:
     rows = "make,model,height_m,u_height_m\nLada,Niva,1.64,{u}\n"
     send(operator, rows.format(u="0.017").encode())
@@ -260,6 +269,7 @@ def test_models_are_found_in_any_case_of_any_letters(operator: Client, services:
     assert [(one.make, one.wheelbase_m) for one in found] == [("Seat", 2.56), ("Škoda", 2.6)]
 
 
+@pytest.mark.once
 def test_an_expanded_uncertainty_is_not_read_as_a_standard_one(operator: Client) -> None:
     rows = "make,model,Height_m,{u},u_wheelbase_m\nKia,Rio,1.45,0.02,0.01\n"
     for title in ("U_height_m", "U_roof (mm)", "U95_height_m", "u95 height (mm)"):
@@ -307,6 +317,7 @@ def test_what_is_exported_is_imported_again(operator: Client, viewer: Client) ->
     assert viewer.seen("/catalogue/page")["entries"] == before
 
 
+@pytest.mark.once
 @pytest.mark.parametrize(
     ("content", "words"),
     [

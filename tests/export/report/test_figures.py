@@ -81,8 +81,18 @@ def test_the_same_result_gives_the_same_bytes(drawn: dict[str, Drawing | str]) -
         assert isinstance(before, Drawing) and found == before.svg, name
 
 
+def of_eyes(result: Statistics, unit: LengthUnit = "m", *, groups: bool = False) -> dict[str, Drawing | str]:
+    """The figures of errors and of eyes' heights, of which those by group where they are looked at."""
+    errors = {} if groups else error_figures(result.errors, unit)
+    eyes = result.targets["driver_eye"]
+    limits = standards_of(result.standards, "driver_eye")
+    target = eyes if groups else replace(eyes, groups={})
+    return {**errors, **height_figures("driver_eye", target, limits, unit)}
+
+
 def test_feet_are_drawn_in_feet_and_inches() -> None:
-    metres, feet = (drawings(statistics(40, absent=EYES), unit) for unit in ("m", "ft"))
+    result = statistics(40, absent=EYES)
+    metres, feet = of_eyes(result), of_eyes(result, "ft")
     for name in ("absolute-error-ecdf", "driver_eye-ecdf"):
         assert metres[name] != feet[name]
     density = feet["signed-error-density"]
@@ -118,7 +128,7 @@ def test_few_vehicles_are_drawn_and_what_cannot_be_is_a_sentence(n: int, said: s
 
 def test_a_band_is_drawn_for_thirty_vehicles_and_more_and_the_caption_says_which() -> None:
     for n, banded in ((29, False), (30, True)):
-        found = drawings(statistics(n, low_light=0.0, absent=EYES))
+        found = of_eyes(statistics(n, low_light=0.0, absent=EYES))
         for name in ("driver_eye-ecdf", "driver_eye-density", "absolute-error-ecdf", "signed-error-density"):
             one = found[name]
             assert isinstance(one, Drawing)
@@ -163,7 +173,7 @@ def test_standards_that_a_figure_does_not_reach_are_counted_below_it() -> None:
 
 
 def test_a_group_of_few_vehicles_shows_each_of_them() -> None:
-    few = drawings(statistics(12, absent=EYES))["driver_eye-by-category"]
+    few = of_eyes(statistics(12, absent=EYES), groups=True)["driver_eye-by-category"]
     assert isinstance(few, Drawing) and "each vehicle (stroke)" in few.caption
     each = re.findall(rb'<use [^>]*style="[^>]*stroke: #666666; stroke-width: 0\.8"', few.svg)
     assert len(each) == 12
@@ -173,7 +183,8 @@ def test_names_with_signs_are_drawn_as_they_are() -> None:
     names = ("A $x^2$ & <b>", "A x^2 & <b>")
     own = (Standard("Own $limit$", "eye_car", 1.1, "me"),)
     group = Grouping(np.arange(40) % 2, names)
-    found = drawings(statistics(40, choices=StatisticsOptions(own_standards=own), site=group, absent=EYES))
+    result = statistics(40, choices=StatisticsOptions(own_standards=own), site=group, absent=EYES)
+    found = of_eyes(result, groups=True)
     by_site = found["driver_eye-by-site"]
     assert isinstance(by_site, Drawing) and "Own $limit$ 1.10" in by_site.caption
     ElementTree.fromstring(by_site.svg)

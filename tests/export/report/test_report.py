@@ -111,8 +111,9 @@ def test_heights_without_a_class_are_not_said_to_be_of_one(example: ReportFacts)
         assert words_of_it in str((sight(of) or {})["classes"])
 
 
-def test_the_same_facts_give_the_same_bytes_in_another_process() -> None:
-    few = {"n": 30, "absent": ("taillight", "headlight", "roof")}
+@pytest.mark.parametrize("n", [5, pytest.param(30, marks=pytest.mark.proof)])
+def test_the_same_facts_give_the_same_bytes_in_another_process(n: int) -> None:
+    few = {"n": n, "absent": ("taillight", "headlight", "roof")}
     program = (
         "import hashlib\n"
         "from sightline.export.report.report import report\n"

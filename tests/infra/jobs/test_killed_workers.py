@@ -170,6 +170,7 @@ def test_a_killed_supervisor_loses_nothing(
     assert made(factory) == ["made once", *before] and done.result == {"survey_id": len(before) + 1}
 
 
+@pytest.mark.proof
 def test_jobs_of_a_killed_server_are_taken_up_by_the_next_one(
     factory: SessionFactory, tmp_path: Path, start: Callable[[], "subprocess.Popen[bytes]"]
 ) -> None:
@@ -216,6 +217,7 @@ sys.stdin.read()
 """
 
 
+@pytest.mark.once
 def test_the_servers_worker_dies_with_a_killed_server(settings: Settings, engine: object) -> None:
     environment = {
         **os.environ,
@@ -236,6 +238,7 @@ def test_the_servers_worker_dies_with_a_killed_server(settings: Settings, engine
     until(lambda: not alive(child), lambda: "the worker outlived its server")
 
 
+@pytest.mark.once
 def test_the_servers_worker_is_started_again_and_stops_with_it(settings: Settings, engine: object) -> None:
     child = start_child_workers(settings)
     assert child is not None
@@ -247,6 +250,7 @@ def test_the_servers_worker_is_started_again_and_stops_with_it(settings: Setting
     assert not alive(second)
 
 
+@pytest.mark.once
 def test_no_worker_where_none_is_asked_for(settings: Settings) -> None:
     assert start_child_workers(settings.model_copy(update={"workers": 0})) is None
 
