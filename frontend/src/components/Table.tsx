@@ -135,7 +135,11 @@ function cellsOf<R>(columns: readonly Column<R>[], row: R, index: number): Compo
     if (said) {
       covered = i + said.columns;
       return (
-        <td key={i} colSpan={said.columns > 1 ? said.columns : undefined} class={said.class}>
+        <td
+          key={i}
+          colSpan={said.columns > 1 ? said.columns : undefined}
+          class={said.class ? `small muted ${said.class}` : "small muted"}
+        >
           {said.why(row)}
         </td>
       );

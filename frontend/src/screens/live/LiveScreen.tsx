@@ -130,7 +130,7 @@ function Vehicles({ stream, surveyId }: { stream: LiveStream; surveyId: number }
           col(say("scan-head-clock"), (one) => clockThere(one.front_at)),
           ...across(
             ({ status, reason }) => (status === "ok" ? undefined : sentenceOf(reason)),
-            "small muted live__reason",
+            "live__reason",
             num(say("scan-head-speed"), (one) => (
               <>
                 {one.direction === "camera_2_first" && <OtherWay />}

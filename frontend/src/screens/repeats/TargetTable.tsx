@@ -63,7 +63,7 @@ function Seen({ claim }: { claim: TargetRepeats["uncertainty_check"] }) {
   );
 }
 
-export const NO_SPREAD = "small muted repeats__reason";
+export const NO_SPREAD = "repeats__reason";
 
 /** The column of a spread with its interval, or why a row has none. */
 export function spread<R>(

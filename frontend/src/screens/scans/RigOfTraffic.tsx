@@ -111,7 +111,7 @@ export function RigOfTraffic({ scan, use, narrow, changed }: Props) {
           rowHead(say("scans-traffic-says"), (one) => one.what),
           ...across(
             (one) => (one.value === null ? sentenceOf(one.reason) : undefined),
-            "small muted",
+            undefined,
             num(say("scans-traffic-value"), (one) => one.value),
             num(say("scans-traffic-from"), ({ n: count }) => say("scans-count-vehicles", { count })),
           ),

@@ -22,7 +22,7 @@ export function SizeErrors({ found }: { found: ScanStatistics }) {
           num(say("motion-errors-n"), (one) => one.n),
           ...across(
             ({ n, reason }) => (n === 0 ? (sentenceOf(reason) ?? say("motion-errors-none")) : undefined),
-            "small muted",
+            undefined,
             ...COLUMNS.map((name) => num(HEADS[name], (one) => <Figure of={one.figures[name]} />)),
           ),
         ]}

@@ -20,7 +20,7 @@ const WHICH = [
 const SINGLE = [...WHICH, "rounding", "correction", "u_reference_m"] as const;
 const REPEATED = ["survey", "category", "class_set", "eye_limit_m", "object_limit_m"] as const;
 export type SingleName = (typeof SINGLE)[number];
-export type RepeatedName = (typeof REPEATED)[number] | "off" | "paper";
+type RepeatedName = (typeof REPEATED)[number] | "off" | "paper";
 
 /** What the server is asked for an address: what only the page knows is left out. */
 export function statisticsQuery(query: URLSearchParams): AddressOf<"GET /statistics"> {
