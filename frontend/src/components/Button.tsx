@@ -12,6 +12,8 @@ export interface ButtonProps {
   label?: string;
   title?: string;
   type?: "button" | "submit";
+  /** The form that it sends, where it does not stand in it. */
+  form?: string;
   disabled?: boolean;
   /** Shows that the press is being worked on, and takes no other. */
   busy?: boolean;
@@ -70,6 +72,7 @@ export function Button(props: ButtonProps) {
   return (
     <button
       type={props.type ?? "button"}
+      form={props.form}
       class={className}
       disabled={props.disabled || busy}
       aria-busy={busy || undefined}

@@ -42,12 +42,7 @@ export function FormDialog(props: FormDialogProps) {
       actions={
         <>
           <Button says="action-cancel" onClick={onClose} />
-          <Button
-            kind="primary"
-            busy={busy}
-            disabled={disabled}
-            onClick={() => (document.getElementById(id) as HTMLFormElement | null)?.requestSubmit()}
-          >
+          <Button type="submit" form={id} kind="primary" busy={busy} disabled={disabled}>
             {action}
           </Button>
         </>
@@ -56,7 +51,6 @@ export function FormDialog(props: FormDialogProps) {
       <form id={id} class="stack" onSubmit={send} onInput={() => setTouched(true)} noValidate>
         {children}
         <Problem error={problem} />
-        <button type="submit" hidden />
       </form>
     </Dialog>
   );

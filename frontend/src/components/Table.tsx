@@ -16,11 +16,20 @@ export function num(head: ComponentChildren): HeadProps {
   return { head, figures: true };
 }
 
+/** Said in the place of so many columns, in rows of which there is something to say. */
+interface Across<R> {
+  why: (row: R) => ComponentChildren;
+  columns: number;
+  class?: string | undefined;
+}
+
 export interface Column<R> extends HeadProps {
   cell: Cell<R>;
   cellClass?: string;
   cellTitle?: (row: R) => string | undefined;
   rowHead?: boolean;
+  /** In place of it and of those behind it, the first that says something. */
+  across?: readonly Across<R>[];
 }
 
 /** What columns are made with: of words, of figures, the one that says which row it is, and what can be done with it. */
@@ -39,6 +48,12 @@ export class Columns<R> {
   /** What can be done with the row: the head is only read aloud. */
   actions = (head: string, cell: Cell<R>, cellClass?: string): Column<R> =>
     this.col(<span class="visually-hidden">{head}</span>, cell, cellClass);
+  /** Columns of what some rows have not: those say why, in their place; undefined: it is there. */
+  across = (why: Across<R>["why"], cellClass: string | undefined, ...columns: Column<R>[]): Column<R>[] =>
+    columns.map((one, at) => {
+      const said = { why, columns: columns.length, class: cellClass };
+      return at === 0 ? { ...one, across: [said, ...(one.across ?? [])] } : one;
+    });
 }
 
 interface Shell extends Omit<HTMLAttributes<HTMLTableElement>, "label" | "rows"> {
@@ -84,10 +99,12 @@ export function Table({
   );
 }
 
+type RowAttributes = HTMLAttributes<HTMLTableRowElement> & { [data: `data-${string}`]: string | number };
+
 interface DataProps<R> extends Shell {
   rows: readonly R[];
   keyOf: (row: R, index: number) => string | number;
-  rowAttributes?: (row: R, index: number) => HTMLAttributes<HTMLTableRowElement>;
+  rowAttributes?: (row: R, index: number) => RowAttributes;
   columns: (made: Columns<R>) => Column<R>[];
 }
 
@@ -103,19 +120,38 @@ export function DataTable<R>({ rows, keyOf, rowAttributes, columns: columnsOf, .
     <Table {...shell} heads={heads}>
       {rows.map((row, index) => (
         <tr key={keyOf(row, index)} {...rowAttributes?.(row, index)}>
-          {columns.map(({ figures, rowHead: known, cellClass, cellTitle, cell }, i) => {
-            const name = classes(figures && "num", cellClass);
-            const Cell = known ? "th" : "td";
-            return (
-              <Cell key={i} scope={known ? "row" : undefined} class={name} title={cellTitle?.(row)}>
-                {cell(row, index)}
-              </Cell>
-            );
-          })}
+          {cellsOf(columns, row, index)}
         </tr>
       ))}
     </Table>
   );
+}
+
+function cellsOf<R>(columns: readonly Column<R>[], row: R, index: number): ComponentChildren[] {
+  let covered = 0;
+  return columns.map(({ figures, rowHead: known, cellClass, cellTitle, cell, across }, i) => {
+    if (i < covered) return null;
+    const said = across?.find((one) => one.why(row) !== undefined);
+    if (said) {
+      covered = i + said.columns;
+      return (
+        <td
+          key={i}
+          colSpan={said.columns > 1 ? said.columns : undefined}
+          class={said.class ? `small muted ${said.class}` : "small muted"}
+        >
+          {said.why(row)}
+        </td>
+      );
+    }
+    const Cell = known ? "th" : "td";
+    const name = classes(figures && "num", cellClass);
+    return (
+      <Cell key={i} scope={known ? "row" : undefined} class={name} title={cellTitle?.(row)}>
+        {cell(row, index)}
+      </Cell>
+    );
+  });
 }
 
 function isProps(head: Head): head is HeadProps {

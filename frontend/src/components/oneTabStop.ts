@@ -1,5 +1,22 @@
+import { type ReadonlySignal, useSignalEffect } from "@preact/signals";
 import type { RefObject } from "preact";
-import { useEffect } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
+import { bringInSight } from "./inSight";
+
+/** The box of a list that is one tab stop and keeps its current row in sight: the one whose `name` is the id. */
+export function useRowsIn<E extends HTMLElement>(
+  rows: string,
+  name: string,
+  id: ReadonlySignal<number | null>,
+) {
+  const box = useRef<E>(null);
+  useOneTabStop(box, rows);
+  useSignalEffect(() => {
+    const current = id.value;
+    requestAnimationFrame(() => bringInSight(box.current, name, current));
+  });
+  return box;
+}
 
 /** A list is one tab stop: Tab comes to its current row, the arrows, Home and End go from row to row. */
 export function useOneTabStop(box: RefObject<HTMLElement | null>, rows: string): void {

@@ -31,14 +31,24 @@ export function asked(name: string): number | null {
   return text === null ? null : /^\d+$/.test(text) ? Number(text) : Number.NaN;
 }
 
-/** Changes query parameters in place, for deep links; null removes one. */
-export function setQuery(changes: Record<string, string | number | null>): void {
-  const params = new URLSearchParams(location.search);
-  for (const [key, value] of Object.entries(changes)) {
-    if (value === null) params.delete(key);
-    else params.set(key, String(value));
+type QueryChanges = Readonly<Record<string, string | number | readonly string[] | null | undefined>>;
+
+/** An address with some values changed: a list stands for several of a name; null, nothing and an empty list remove it. */
+export function changed(query: URLSearchParams, changes: QueryChanges): URLSearchParams {
+  const next = new URLSearchParams(query);
+  for (const [name, value] of Object.entries(changes)) {
+    if (typeof value === "number" || (typeof value === "string" && value)) next.set(name, String(value));
+    else {
+      next.delete(name);
+      for (const one of value || []) next.append(name, one);
+    }
   }
-  const text = params.toString();
+  return next;
+}
+
+/** Changes query parameters in place, for deep links. */
+export function setQuery(changes: QueryChanges): void {
+  const text = changed(new URLSearchParams(location.search), changes).toString();
   navigate(location.pathname + (text ? `?${text}` : ""), { replace: true });
 }
 

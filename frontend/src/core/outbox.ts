@@ -51,8 +51,10 @@ export class Outbox {
     this.keeping = new Keeping(...storage);
   }
 
-  register<S, W, A>(name: string, kind: Kind<S, W, A>): void {
+  /** Answers the name, by which the wishes of the kind are known. */
+  register<S, W, A>(name: string, kind: Kind<S, W, A>): string {
     this.kinds.set(name, kind);
+    return name;
   }
 
   /** Tells each change of a kind's wishes, its end ("saved", "dropped") among them. */

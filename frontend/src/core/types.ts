@@ -121,7 +121,6 @@ export type ScanStatistics = Schemas["ScanStatisticsBody"];
 export type ScanReference = ScanVehicle["references"][number];
 export type ReferenceQuantity = ScanReference["quantity"];
 export type ReferenceSource = ScanReference["source"];
-export type LiveVehicle = Schemas["LiveStream"]["vehicles"][number];
 export type ScanSpread = Schemas["ScanSpreadBody"];
 export type TrafficOfScans = Schemas["ScanFlows"];
 export type TrafficInterval = Schemas["ShownInterval"];

@@ -125,6 +125,20 @@ describe("Player, ahead and meanwhile", () => {
     expect(player.shown.value?.frame).toBe(60);
   });
 
+  it("asks once for a thumbnail that is on its way", async () => {
+    const asked = vi.spyOn(globalThis, "fetch");
+    const thumbs = () => asked.mock.calls.filter(([url]) => String(url).startsWith("/thumbs/"));
+    player.describe(withThumbs as unknown as Recording);
+    player.openAt(11);
+    player.go(12);
+    await settle();
+    expect(thumbs()).toHaveLength(1);
+    expect(player.preview.value?.frame).toBe(0);
+    player.go(10);
+    await settle();
+    expect(thumbs()).toHaveLength(1);
+  });
+
   it("keeps the picture for a small step", async () => {
     await letGo(10);
     player.describe(withThumbs as unknown as Recording);

@@ -51,6 +51,8 @@ export class Player {
   private rangesTimer: ReturnType<typeof setTimeout> | undefined;
   private readyTimer: ReturnType<typeof setTimeout> | undefined;
   private closed = false;
+  /** The thumbnail that is on its way. */
+  private coming: string | null = null;
 
   constructor(
     readonly recordingId: number,
@@ -89,7 +91,7 @@ export class Player {
     const count = recording.frame_count ?? 0;
     if (count > 0 && this.frame.value >= count) this.turnTo(count - 1);
     else this.prefetch();
-    if (this.loading.value) void this.showStandIn(this.frame.value);
+    if (this.loading.value) void this.showStandIn();
     void this.loadTable(this.frame.value);
   }
 
@@ -134,7 +136,7 @@ export class Player {
     if (here) this.prefetch();
     else {
       void this.load(wanted);
-      void this.showStandIn(wanted);
+      void this.showStandIn();
     }
   }
 
@@ -251,13 +253,17 @@ export class Player {
     this.preview.value = null;
   }
 
-  /** The nearest thumbnail at once; then no frame is shown, so that nothing can be clicked on. */
-  private async showStandIn(frame: number): Promise<void> {
-    const thumb = standIn(this.recording.value, frame, this.shown.value?.frame ?? null);
-    const picture = thumb && (await fetchPicture(thumb.url).catch(() => null));
-    if (!thumb || !picture) return;
-    if (this.closed || !this.loading.value || this.frame.value !== frame) {
-      picture.close();
+  /** The nearest thumbnail at once; then no frame is shown, so that nothing can be clicked on. One that is on its way, or
+   *  shown, is not asked for again. */
+  private async showStandIn(): Promise<void> {
+    const wanted = () => standIn(this.recording.value, this.frame.value, this.shown.value?.frame ?? null);
+    const thumb = wanted();
+    if (!thumb || thumb.url === this.coming || thumb.frame === this.preview.value?.frame) return;
+    this.coming = thumb.url;
+    const picture = await fetchPicture(thumb.url).catch(() => null);
+    if (this.coming === thumb.url) this.coming = null;
+    if (this.closed || !picture || !this.loading.value || wanted()?.url !== thumb.url) {
+      picture?.close();
       return;
     }
     batch(() => {

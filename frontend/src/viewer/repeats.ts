@@ -1,12 +1,10 @@
 /** How the outbox brings second clicks to the server: made once under their key, withdrawn and brought back after that. */
 import { api } from "../core/api";
-import { type Kind, outbox, type Wanted } from "../core/outbox";
+import { outbox, type Wanted } from "../core/outbox";
 import type { Measurement, Target } from "../core/types";
 import { heightWords, STATE_WORDS, TARGET_WORDS } from "../core/words";
 import { pair } from "./points";
 import { type FramePoints, isMeasurement } from "./values";
-
-export const REPEAT = "repeat";
 
 /** What was clicked again; nothing of the first clicks is in it. */
 export interface Repeat extends FramePoints {
@@ -24,7 +22,7 @@ interface About {
   readonly vehicleId: number;
 }
 
-const repeatKind: Kind<Measurement, RepeatWanted, About> = {
+export const REPEAT = outbox.register<Measurement, RepeatWanted, About>("repeat", {
   send({ key, about, saved, want: { clicks, withdrawn } }, sending) {
     if (saved) {
       const { id: measurement_id, revision } = saved;
@@ -51,9 +49,7 @@ const repeatKind: Kind<Measurement, RepeatWanted, About> = {
   done: ({ saved, want }) => (saved ? saved.withdrawn === want.withdrawn : want.withdrawn),
   version: (saved) => (saved ? `${saved.id} ${saved.revision}` : 0),
   words: heightWords,
-};
-
-outbox.register(REPEAT, repeatKind);
+});
 
 /** The second click of a target, as it is to be: brought in its lane, behind what was wished before it there. */
 export function repeatWish(

@@ -5,7 +5,6 @@ import type { StudyDifference } from "../../core/types";
 import { formatSmall, plainPercent } from "../../core/units";
 import { HEIGHT_WORDS } from "../../core/words";
 import { Bounded } from "./FigureCell";
-import { NONE } from "./numbers";
 
 type Difference = StudyDifference & {
   /** What the row compares, where the rows are not all of the same two. */
@@ -19,7 +18,6 @@ interface Props {
 }
 
 export function Differences({ rows, label, column }: Props) {
-  const small = (metres: number | null) => (metres === null ? null : formatSmall(metres));
   return (
     <DataTable
       label={label}
@@ -37,7 +35,7 @@ export function Differences({ rows, label, column }: Props) {
           say("statistics-compared-of", { first, second }),
         ),
         num(say("statistics-compared-difference"), ({ value_m, low_m, high_m }) => (
-          <Bounded value={small(value_m) ?? NONE} low={small(low_m)} high={small(high_m)} />
+          <Bounded value={value_m} low={low_m} high={high_m} print={formatSmall} />
         )),
         col(say("statistics-compared-verdict"), verdictOf),
       ]}

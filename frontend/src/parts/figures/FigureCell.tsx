@@ -22,12 +22,25 @@ export function FigureCell({ figure, factor, digits, title, drawn = (text) => te
   );
 }
 
-/** The same of words that are written already. */
-export function Bounded({ value, low, high }: { value: string; low: string | null; high: string | null }) {
+type Told = number | null | undefined;
+
+interface BoundedProps {
+  value: Told;
+  low: Told;
+  high: Told;
+  print: (value: number) => string;
+  /** How the ends of the interval are printed, where that is shorter. */
+  within?: (value: number) => string;
+}
+
+/** A value over the interval that holds it. */
+export function Bounded({ value, low, high, print, within = print }: BoundedProps) {
   return (
     <>
-      <strong>{value}</strong>
-      {low !== null && high !== null && <div class="stat-ci">{say("interval", { low, high })}</div>}
+      <strong>{value == null ? NONE : print(value)}</strong>
+      {low != null && high != null && (
+        <div class="stat-ci">{say("interval", { low: within(low), high: within(high) })}</div>
+      )}
     </>
   );
 }

@@ -1,11 +1,12 @@
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
-import { Button, Problem } from "../../components";
+import { Problem } from "../../components";
 import { language, say } from "../../core/messages";
 import { theme } from "../../core/theme";
 import { type LengthUnit, lengthUnit } from "../../core/units";
 import { type Cell, csvOf, download } from "./csv";
 import { writeBeside } from "./direct";
+import { FileButton } from "./FileButton";
 import "./figures.css";
 import { type Hue, hueOf } from "./hues";
 import { type Drawn, drawnOf, Reader } from "./Reader";
@@ -120,20 +121,8 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
         <h3>{title}</h3>
         {!reason && (
           <div class="row stat-noprint">
-            <Button
-              says="file-svg"
-              small
-              icon="download"
-              onClick={saveSvg}
-              title={say("figure-as-svg", { figure: title })}
-            />
-            <Button
-              says="file-csv"
-              small
-              icon="download"
-              onClick={saveCsv}
-              title={say("figure-as-csv", { figure: title })}
-            />
+            <FileButton as="svg" save={saveSvg} title={say("figure-as-svg", { figure: title })} />
+            <FileButton as="csv" save={saveCsv} title={say("figure-as-csv", { figure: title })} />
           </div>
         )}
       </header>

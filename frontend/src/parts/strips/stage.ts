@@ -10,6 +10,8 @@ export class StripStage extends PictureStage<StripPoint, StripsView> {
     tools: () => readonly Tool<StripPoint>[],
     /** Called once the strips lie in a window of a size. */
     private readonly arrived: () => void,
+    /** Called when that window has got another size, with what it showed before. */
+    private readonly resizedFrom: (before: StripsView) => void = () => {},
   ) {
     super(fitAll({ lines: 1, rows: 1 }, 1, 1), tools);
   }
@@ -22,9 +24,10 @@ export class StripStage extends PictureStage<StripPoint, StripsView> {
   }
 
   protected override resize(screen: Size): void {
+    const before = this.view.value;
     super.resize(screen);
-    if (this.measured) return;
+    if (this.measured) this.resizedFrom(before);
+    else this.arrived();
     this.measured = true;
-    this.arrived();
   }
 }

@@ -1,9 +1,19 @@
 import { useState } from "preact/hooks";
-import { Button, DataTable, Empty, Loading, PageHead, Problem, Segments, TextField } from "../../components";
+import {
+  Button,
+  choices,
+  DataTable,
+  Empty,
+  Loading,
+  PageHead,
+  Problem,
+  Segments,
+  TextField,
+} from "../../components";
 import { useAction } from "../../core/action";
 import { query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
-import { say } from "../../core/messages";
+import { say, wordsOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { canWork } from "../../core/session";
 import { toast, toastProblem } from "../../core/toasts";
@@ -66,10 +76,7 @@ export default function CatalogueScreen() {
         <Segments
           says="catalogue-which"
           value={retired ? "retired" : "offered"}
-          options={[
-            { value: "offered", label: say("catalogue-offered") },
-            { value: "retired", label: say("catalogue-retired") },
-          ]}
+          options={choices(wordsOf("catalogue-", "offered", "retired"))}
           onInput={(value) => setQuery({ retired: value === "retired" ? "true" : null, offset: null })}
         />
       </div>

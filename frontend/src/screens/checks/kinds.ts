@@ -1,20 +1,18 @@
 /** How the outbox brings both tyres of a vehicle to the server. */
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
-import { type Kind, outbox } from "../../core/outbox";
+import { outbox } from "../../core/outbox";
 import { shapeOf } from "../../core/shape";
 import type { WheelPair } from "../../core/types";
 import { fixed } from "../../core/units";
 import type { Clicks } from "./wheelPair";
-
-export const WHEEL_PAIR = "wheel-pair";
 
 export interface PairAbout {
   readonly id: number;
   readonly surveyId: number;
 }
 
-const pairKind: Kind<WheelPair, Clicks | null, PairAbout> = {
+export const WHEEL_PAIR = outbox.register<WheelPair, Clicks | null, PairAbout>("wheel-pair", {
   once: true,
   send({ about: { id: vehicle_id }, saved, want }, sending) {
     const seen = idOf(saved);
@@ -44,7 +42,7 @@ const pairKind: Kind<WheelPair, Clicks | null, PairAbout> = {
   },
   version: idOf,
   words: (saved) => (saved && !saved.withdrawn ? pairWords(saved) : say("checks-tyres-none")),
-};
+});
 
 function idOf(saved: WheelPair | null): number {
   return saved && !saved.withdrawn ? saved.id : 0;
@@ -54,5 +52,3 @@ export function pairWords({ frame, first, second }: Clicks): string {
   const at = (point: readonly number[]): string => point.map((one) => fixed(one, 1)).join(", ");
   return say("checks-tyres-at", { frame: String(frame), first: at(first), second: at(second) });
 }
-
-outbox.register(WHEEL_PAIR, pairKind);

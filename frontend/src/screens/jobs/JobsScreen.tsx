@@ -53,7 +53,7 @@ export default function JobsScreen() {
           scroll="panel"
           rows={jobs.data}
           keyOf={(job) => job.id}
-          rowAttributes={(job) => ({ "data-testid": `job-${job.id}` }) as object}
+          rowAttributes={(job) => ({ "data-testid": `job-${job.id}` })}
           columns={({ col, actions }) => [
             col(say("jobs-column-what"), (job) => jobName(job.kind)),
             col(say("jobs-column-for"), (job) => pageLink(job, nameOf(job.survey_id))),

@@ -1,5 +1,5 @@
 import { Fragment } from "preact";
-import { Button, Empty, Loaded, Notice, Notices, num, PageHead, StateMark, Table } from "../../components";
+import { Button, DataTable, Empty, Loaded, Notice, Notices, PageHead, StateMark } from "../../components";
 import { say, sentenceOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useAsked, useEvery } from "../../core/resource";
@@ -13,7 +13,7 @@ import {
   formatPlaceMoment,
   placeTime,
 } from "../../core/times";
-import type { LiveStream, LiveVehicle } from "../../core/types";
+import type { LiveStream } from "../../core/types";
 import { fixed, formatCount, formatLength, formatSpeed } from "../../core/units";
 import { LIVE_WORDS, vehicleName } from "../../core/words";
 import { OtherWay } from "../../parts/OtherWay";
@@ -116,59 +116,38 @@ function Vehicles({ stream, surveyId }: { stream: LiveStream; surveyId: number }
   const lanes = stream.vehicles.some((one) => one.lane !== null);
   return (
     <div>
-      <Table
+      <DataTable
         label={say("live-vehicles")}
         class="table--dense"
-        heads={[
-          say("scan-head-number"),
-          say("scan-head-clock"),
-          num(say("scan-head-speed")),
-          num(say("scan-head-length")),
-          num(say("with-unit", { name: say("scan-head-gap"), unit: "s" })),
-          num(say("scan-axles")),
-          ...(lanes ? [say("scan-lane")] : []),
+        rows={stream.vehicles}
+        keyOf={(one) => one.id}
+        rowAttributes={(one) => ({ "data-testid": `live-vehicle-${one.number}` })}
+        columns={({ col, num, across }) => [
+          col(say("scan-head-number"), ({ id, number }) => {
+            const bench = `/surveys/${surveyId}/scan?scan=${stream.scan_id}&vehicle=${id}`;
+            return stream.ready ? <a href={bench}>{vehicleName(number)}</a> : vehicleName(number);
+          }),
+          col(say("scan-head-clock"), (one) => clockThere(one.front_at)),
+          ...across(
+            ({ status, reason }) => (status === "ok" ? undefined : sentenceOf(reason)),
+            "live__reason",
+            num(say("scan-head-speed"), (one) => (
+              <>
+                {one.direction === "camera_2_first" && <OtherWay />}
+                {formatSpeed(one.speed_mps, one.U95_speed_mps, 2)}
+              </>
+            )),
+            num(say("scan-head-length"), (one) => formatLength(one.length_m, 2)),
+          ),
+          num(say("with-unit", { name: say("scan-head-gap"), unit: "s" }), ({ time_gap_s }) =>
+            time_gap_s === null ? "–" : fixed(time_gap_s, 2),
+          ),
+          num(say("scan-axles"), (one) => one.axles ?? "–"),
+          ...(lanes ? [col(say("scan-lane"), (one) => one.lane ?? "–")] : []),
         ]}
-      >
-        {stream.vehicles.map((vehicle) => (
-          <Row key={vehicle.id} vehicle={vehicle} stream={stream} surveyId={surveyId} lanes={lanes} />
-        ))}
-      </Table>
+      />
       {!stream.ready && <p class="small muted">{say("live-picture-later")}</p>}
     </div>
-  );
-}
-
-interface RowProps {
-  vehicle: LiveVehicle;
-  stream: LiveStream;
-  surveyId: number;
-  lanes: boolean;
-}
-
-function Row({ vehicle, stream, surveyId, lanes }: RowProps) {
-  const name = vehicleName(vehicle.number);
-  const bench = `/surveys/${surveyId}/scan?scan=${stream.scan_id}&vehicle=${vehicle.id}`;
-  return (
-    <tr data-testid={`live-vehicle-${vehicle.number}`}>
-      <td>{stream.ready ? <a href={bench}>{name}</a> : name}</td>
-      <td>{clockThere(vehicle.front_at)}</td>
-      {vehicle.status === "ok" ? (
-        <>
-          <td class="num">
-            {vehicle.direction === "camera_2_first" && <OtherWay />}
-            {formatSpeed(vehicle.speed_mps, vehicle.U95_speed_mps, 2)}
-          </td>
-          <td class="num">{formatLength(vehicle.length_m, 2)}</td>
-        </>
-      ) : (
-        <td colSpan={2} class="small muted live__reason">
-          {sentenceOf(vehicle.reason)}
-        </td>
-      )}
-      <td class="num">{vehicle.time_gap_s === null ? "–" : fixed(vehicle.time_gap_s, 2)}</td>
-      <td class="num">{vehicle.axles ?? "–"}</td>
-      {lanes && <td>{vehicle.lane ?? "–"}</td>}
-    </tr>
   );
 }
 

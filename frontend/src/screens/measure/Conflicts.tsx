@@ -1,6 +1,6 @@
 /** Somebody else changed the same thing: who, what, and the choice of theirs or mine. Nothing is lost before it is made. */
 import { useSignal } from "@preact/signals";
-import { Button, Segments } from "../../components";
+import { Button, Facts, Segments } from "../../components";
 import { say } from "../../core/messages";
 import { outbox } from "../../core/outbox";
 import { useResource } from "../../core/resource";
@@ -74,12 +74,12 @@ export function MeasurementConflict({ model, entry }: { model: MeasureModel; ent
   return (
     <div class="stack stack--tight conflict" role="alert" data-testid="measurement-conflict">
       <p>{say(theirs.withdrawn ? "measure-conflict-withdrawn" : "measure-conflict-measured", told)}</p>
-      <dl class="facts">
-        <dt>{say("measure-conflict-height-theirs")}</dt>
-        <dd>{heightWords(theirs)}</dd>
-        <dt>{say("measure-conflict-height-mine")}</dt>
-        <dd>{mine}</dd>
-      </dl>
+      <Facts
+        of={[
+          [say("measure-conflict-height-theirs"), heightWords(theirs)],
+          [say("measure-conflict-height-mine"), mine],
+        ]}
+      />
       <div class="row row--wrap">
         <Button
           says="measure-conflict-keep-theirs"

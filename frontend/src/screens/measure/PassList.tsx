@@ -1,10 +1,8 @@
 /** The passes of the survey with their state; filter, order, a new pass. */
-import { useComputed, useSignalEffect } from "@preact/signals";
-import { useRef } from "preact/hooks";
+import { useComputed } from "@preact/signals";
 import { Button, choices, Icon, IconButton, LongList, Select, StateMark } from "../../components";
-import { bringInSight } from "../../components/inSight";
 import { late, soon } from "../../components/late";
-import { useOneTabStop } from "../../components/oneTabStop";
+import { useRowsIn } from "../../components/oneTabStop";
 import { Said } from "../../components/Said";
 import { hint } from "../../core/commands";
 import { held } from "../../core/form";
@@ -33,12 +31,7 @@ export function PassList({ model }: { model: MeasureModel }) {
   const open = all.filter(isOpen).length;
   const rejected = all.filter((vehicle) => vehicle.state === "rejected").length;
   const recording = model.reel.recording.value;
-  const box = useRef<HTMLDivElement>(null);
-  useOneTabStop(box, ".pass");
-  useSignalEffect(() => {
-    const id = model.vehicleId.value;
-    requestAnimationFrame(() => bringInSight(box.current, "data-vehicle", id));
-  });
+  const box = useRowsIn<HTMLDivElement>(".pass", "data-vehicle", model.vehicleId);
   return (
     <nav class="passes" aria-label={say("measure-passes")}>
       <header class="passes__head">

@@ -44,18 +44,41 @@ export interface MeasurementAbout {
 }
 
 /** The server's side, so that the kinds can be tested without one. */
-export interface RecordsPort {
-  create(vehicleId: number, clientKey: string, values: Values, sending: Sending): Promise<Measurement>;
-  revise(id: number, revision: number, values: Values, sending: Sending): Promise<Measurement>;
-  withdraw(id: number, revision: number, sending: Sending): Promise<Measurement>;
-  restore(id: number, revision: number, sending: Sending): Promise<Measurement>;
-  read(id: number, signal: AbortSignal): Promise<Measurement>;
-}
+const recordsPort = {
+  create: (vehicle_id: number, client_key: string, values: Values, sending: Sending) =>
+    api.write(
+      "POST /vehicles/{vehicle_id}/measurements",
+      { vehicle_id },
+      {
+        body: { client_key, made: madeOf(values), ...snappedFrom(values), ...clickBody(values) },
+        ...sending,
+      },
+    ),
+  revise: (measurement_id: number, revision: number, values: Values, sending: Sending) =>
+    api.write(
+      "PUT /measurements/{measurement_id}",
+      { measurement_id },
+      { body: { revision, ...snappedFrom(values), ...clickBody(values) }, ...sending },
+    ),
+  withdraw: (measurement_id: number, revision: number, sending: Sending) =>
+    api.write("DELETE /measurements/{measurement_id}", { measurement_id, revision }, sending),
+  restore: (measurement_id: number, revision: number, sending: Sending) =>
+    api.write(
+      "POST /measurements/{measurement_id}/restore",
+      { measurement_id },
+      { body: { revision }, ...sending },
+    ),
+  read: (measurement_id: number, signal: AbortSignal) =>
+    api.ask("GET /measurements/{measurement_id}", { measurement_id }, { signal }),
+};
 
-export interface VehiclesPort {
+const vehiclesPort = {
   /** Fields left out stay as they are. */
-  save(id: number, version: number, changes: Changes, sending: Sending): Promise<Vehicle>;
-}
+  save: (vehicle_id: number, version: number, changes: Changes, sending: Sending) =>
+    api.write("PUT /vehicles/{vehicle_id}", { vehicle_id }, { body: { version, ...changes }, ...sending }),
+};
+
+export type RecordsPort = typeof recordsPort;
 
 export const measurementKind = (port: RecordsPort): Kind<Measurement, Values, MeasurementAbout> => ({
   send({ key, about, saved, want }, sending) {
@@ -74,7 +97,7 @@ export const measurementKind = (port: RecordsPort): Kind<Measurement, Values, Me
   words: heightWords,
 });
 
-export const vehicleKind = (port: VehiclesPort): Kind<Vehicle, Changes, { id: number }> => ({
+export const vehicleKind = (port: typeof vehiclesPort): Kind<Vehicle, Changes, { id: number }> => ({
   send: ({ about, saved, want }, sending) => port.save(about.id, saved?.version ?? 0, want, sending),
   async read(_wish, error) {
     const found = currentOf<Vehicle>(error);
@@ -114,39 +137,6 @@ export function showFact(field: Field, value: unknown): string {
 function currentOf<T>(error: ApiError): T | undefined {
   return (error.body as { current?: T } | null)?.current;
 }
-
-const recordsPort: RecordsPort = {
-  create: (vehicle_id, client_key, values, sending) =>
-    api.write(
-      "POST /vehicles/{vehicle_id}/measurements",
-      { vehicle_id },
-      {
-        body: { client_key, made: madeOf(values), ...snappedFrom(values), ...clickBody(values) },
-        ...sending,
-      },
-    ),
-  revise: (measurement_id, revision, values, sending) =>
-    api.write(
-      "PUT /measurements/{measurement_id}",
-      { measurement_id },
-      { body: { revision, ...snappedFrom(values), ...clickBody(values) }, ...sending },
-    ),
-  withdraw: (measurement_id, revision, sending) =>
-    api.write("DELETE /measurements/{measurement_id}", { measurement_id, revision }, sending),
-  restore: (measurement_id, revision, sending) =>
-    api.write(
-      "POST /measurements/{measurement_id}/restore",
-      { measurement_id },
-      { body: { revision }, ...sending },
-    ),
-  read: (measurement_id, signal) =>
-    api.ask("GET /measurements/{measurement_id}", { measurement_id }, { signal }),
-};
-
-const vehiclesPort: VehiclesPort = {
-  save: (vehicle_id, version, changes, sending) =>
-    api.write("PUT /vehicles/{vehicle_id}", { vehicle_id }, { body: { version, ...changes }, ...sending }),
-};
 
 outbox.register(MEASUREMENT, measurementKind(recordsPort));
 outbox.register(VEHICLE, vehicleKind(vehiclesPort));

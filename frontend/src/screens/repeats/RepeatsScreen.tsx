@@ -1,15 +1,4 @@
-import {
-  Button,
-  DataTable,
-  Empty,
-  Loaded,
-  num,
-  PageHead,
-  Panel,
-  Problem,
-  Select,
-  Table,
-} from "../../components";
+import { Button, DataTable, Empty, Loaded, PageHead, Panel, Problem, Select } from "../../components";
 import { PageTabs } from "../../components/PageTabs";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
@@ -25,7 +14,7 @@ import { TARGET_WORDS, TARGETS } from "../../core/words";
 import { type Dot, type Plot, PlotFigure } from "../../parts/figures/PlotFigure";
 import { readable, readRows } from "../../parts/figures/reading";
 import type { PlotOptions } from "../../parts/figures/style";
-import { SpreadCell, TargetTable } from "./TargetTable";
+import { NO_SPREAD, spread, TargetTable } from "./TargetTable";
 import { pixelWords, shiftWords } from "./words";
 import "./repeats.css";
 
@@ -194,47 +183,31 @@ interface Props {
 function PeopleTable({ people, busy, choose }: Props) {
   return (
     <Panel says="repeats-people-title" note={say("repeats-people-note")}>
-      <Table
+      <DataTable
         label={say("repeats-people-title")}
         class="repeats"
         data-testid="repeats-people"
-        heads={[
-          say("repeats-person"),
-          num(say("repeats-own")),
-          say("repeats-contact"),
-          say("repeats-target"),
-          say("repeats-height"),
-          say("repeats-against-others"),
-          say("repeats-sigma"),
-        ]}
-      >
-        {people.map((one) => (
-          <tr key={one.person.id}>
-            <td>
-              <strong>{one.person.name}</strong>
-            </td>
-            <td class="num">{one.pairs}</td>
-            {one.sigma.sd === null ? (
-              <td class="small muted repeats__reason" colSpan={3}>
-                {sentenceOf(one.sigma.reason)}
-              </td>
-            ) : (
-              <>
-                <SpreadCell one={one.contact} words={pixelWords} />
-                <SpreadCell one={one.target_point} words={pixelWords} />
-                <SpreadCell one={one.heights} />
-              </>
-            )}
-            <td>
+        rows={people}
+        keyOf={(one) => one.person.id}
+        columns={(made) => [
+          made.col(say("repeats-person"), (one) => <strong>{one.person.name}</strong>),
+          made.num(say("repeats-own"), (one) => one.pairs),
+          ...made.across(
+            ({ sigma }) => (sigma.sd === null ? sentenceOf(sigma.reason) : undefined),
+            NO_SPREAD,
+            ...spread(made, say("repeats-contact"), (one) => one.contact, pixelWords),
+            ...spread(made, say("repeats-target"), (one) => one.target_point, pixelWords),
+            ...spread(made, say("repeats-height"), (one) => one.heights),
+          ),
+          made.col(say("repeats-against-others"), (one) => (
+            <>
               {one.operator_bias_m === null ? "–" : biasWords(one.operator_bias_m)}
               <p class="small muted nowrap">{say("repeats-items", { count: one.items })}</p>
-            </td>
-            <td>
-              <Sigma one={one} busy={busy} choose={choose} />
-            </td>
-          </tr>
-        ))}
-      </Table>
+            </>
+          )),
+          made.col(say("repeats-sigma"), (one) => <Sigma one={one} busy={busy} choose={choose} />),
+        ]}
+      />
     </Panel>
   );
 }

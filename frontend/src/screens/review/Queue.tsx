@@ -1,9 +1,6 @@
 /** The queue: which measurements, in which state, and which of them are one's own. */
-import { useSignalEffect } from "@preact/signals";
-import { useRef } from "preact/hooks";
 import { Button, choices, Select, StateMark } from "../../components";
-import { bringInSight } from "../../components/inSight";
-import { useOneTabStop } from "../../components/oneTabStop";
+import { useRowsIn } from "../../components/oneTabStop";
 import { PageTabs } from "../../components/PageTabs";
 import { Said } from "../../components/Said";
 import { say, wordsOf } from "../../core/messages";
@@ -21,12 +18,7 @@ export function Queue({ model }: { model: ReviewModel }) {
   const items = model.queue.items.value ?? [];
   const work = model.queue.work.value;
   const ofScans = survey.value?.scans.heights ?? 0;
-  const box = useRef<HTMLUListElement>(null);
-  useOneTabStop(box, ".pass");
-  useSignalEffect(() => {
-    const id = model.currentId.value;
-    requestAnimationFrame(() => bringInSight(box.current, "data-measurement", id));
-  });
+  const box = useRowsIn<HTMLUListElement>(".pass", "data-measurement", model.currentId);
   return (
     <nav class="passes" aria-label={say("review-queue")}>
       <PageTabs label={say("page-review")} tabs={reviewTabs(model.surveyId, "review")} />

@@ -5,8 +5,6 @@ import { shapeOf } from "../../core/shape";
 import type { LineHeight, Measurement, ReviewItem } from "../../core/types";
 import { type Verdict, verdictKind } from "../../parts/verdicts/kind";
 
-export const VERDICT = "verdict";
-
 /** A height of a frame, or of a line of a line scan. */
 export type Height = ReviewItem["measurement"];
 
@@ -65,4 +63,4 @@ function fits(saved: Height, points: NonNullable<GivenVerdict["points"]>): boole
   return `${saved.contact} ${saved.target_point}` === `${contact} ${target_point}`;
 }
 
-outbox.register(VERDICT, heightVerdict);
+export const VERDICT = outbox.register("verdict", heightVerdict);

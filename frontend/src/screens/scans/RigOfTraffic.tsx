@@ -1,7 +1,7 @@
 /** What the vehicles say of the rig, beside what is in force. Nothing changes unless somebody takes a value over. */
-import { Button, Loaded, Notice, num, Table } from "../../components";
+import { Button, DataTable, Loaded, Notice } from "../../components";
 import { api } from "../../core/api";
-import { say, sentenceOf } from "../../core/messages";
+import { type Said, say, sentenceOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { may } from "../../core/session";
 import { telling, toast } from "../../core/toasts";
@@ -17,6 +17,16 @@ interface Props {
   narrow?: boolean;
   /** The cameras were exchanged, and the vehicles are looked for again. */
   changed: () => Promise<void>;
+}
+
+/** A value that the traffic says of the rig; null: none, and why. */
+interface Told {
+  what: string;
+  value: string | null;
+  reason: Said | null;
+  n: number;
+  inForce: string;
+  use?: (() => void) | undefined;
 }
 
 /** Exchanged on the server, where the search starts again; one press takes it back. */
@@ -43,6 +53,41 @@ export function RigOfTraffic({ scan, use, narrow, changed }: Props) {
   const words = [misalignment.warning, ...baselines.map((one) => one.words)].flatMap(
     (one) => sentenceOf(one) ?? [],
   );
+  const rows: Told[] = [
+    {
+      ...misalignment,
+      what: say("scans-rig-misalignment"),
+      value: pixels(misalignment.value, misalignment.u),
+      inForce:
+        rig.misalignment_px === null
+          ? say("scans-rig-from-traffic")
+          : (pixels(rig.misalignment_px, rig.u_misalignment_px) ?? "–"),
+      use: () =>
+        use({
+          misalignment: fixed(misalignment.value ?? 0, 4),
+          uMisalignment: fixed(misalignment.u ?? 0, 4),
+        }),
+    },
+    {
+      ...gain,
+      what: say("scans-traffic-gain"),
+      value: withU(gain.value, gain.u),
+      inForce: say("scans-traffic-gain-own"),
+    },
+    ...baselines.map(({ of, ratio, differs, baseline_m, u_baseline_m }) => ({
+      ...ratio,
+      what: say("scans-traffic-baseline", { of }),
+      value: baseline_m === null || u_baseline_m === null ? null : length(baseline_m, u_baseline_m),
+      inForce: length(rig.baseline_m, rig.u_baseline_m),
+      use: differs
+        ? () =>
+            use({
+              baseline: typedLength(baseline_m ?? 0, 5),
+              uBaseline: typedLength(u_baseline_m ?? 0, 5),
+            })
+        : undefined,
+    })),
+  ];
   return (
     <div class="stack stack--tight" data-testid="rig-of-traffic">
       {order && (
@@ -57,67 +102,37 @@ export function RigOfTraffic({ scan, use, narrow, changed }: Props) {
           {sentenceOf(order)}
         </Notice>
       )}
-      <Table
+      <DataTable
         label={say("scans-traffic-table")}
         class={narrow ? "table--dense" : undefined}
-        heads={[
-          say("scans-traffic-says"),
-          num(say("scans-traffic-value")),
-          num(say("scans-traffic-from")),
-          ...(narrow ? [] : [num(say("scans-traffic-in-force"))]),
-          <span class="visually-hidden">{say("scans-traffic-take")}</span>,
+        rows={rows}
+        keyOf={(one) => one.what}
+        columns={({ num, rowHead, actions, across }) => [
+          rowHead(say("scans-traffic-says"), (one) => one.what),
+          ...across(
+            (one) => (one.value === null ? sentenceOf(one.reason) : undefined),
+            undefined,
+            num(say("scans-traffic-value"), (one) => one.value),
+            num(say("scans-traffic-from"), ({ n: count }) => say("scans-count-vehicles", { count })),
+          ),
+          ...(narrow ? [] : [num(say("scans-traffic-in-force"), (one) => one.inForce)]),
+          actions(
+            say("scans-traffic-take"),
+            ({ what, value, use }) =>
+              use &&
+              value !== null &&
+              may("operator") && (
+                <Button
+                  says="scans-traffic-use"
+                  small
+                  label={say("scans-traffic-use-for", { what })}
+                  onClick={use}
+                />
+              ),
+            "num",
+          ),
         ]}
-      >
-        <Row
-          what={say("scans-rig-misalignment")}
-          value={pixels(misalignment.value, misalignment.u)}
-          n={misalignment.n}
-          inForce={
-            narrow
-              ? null
-              : rig.misalignment_px === null
-                ? say("scans-rig-from-traffic")
-                : (pixels(rig.misalignment_px, rig.u_misalignment_px) ?? "–")
-          }
-          reason={sentenceOf(misalignment.reason)}
-          use={() =>
-            use({
-              misalignment: fixed(misalignment.value ?? 0, 4),
-              uMisalignment: fixed(misalignment.u ?? 0, 4),
-            })
-          }
-        />
-        <Row
-          what={say("scans-traffic-gain")}
-          value={withU(gain.value, gain.u)}
-          n={gain.n}
-          inForce={narrow ? null : say("scans-traffic-gain-own")}
-          reason={sentenceOf(gain.reason)}
-        />
-        {baselines.map((one) => (
-          <Row
-            key={one.of}
-            what={say("scans-traffic-baseline", { of: one.of })}
-            value={
-              one.baseline_m === null || one.u_baseline_m === null
-                ? null
-                : length(one.baseline_m, one.u_baseline_m)
-            }
-            n={one.ratio.n}
-            inForce={narrow ? null : length(rig.baseline_m, rig.u_baseline_m)}
-            reason={sentenceOf(one.ratio.reason)}
-            use={
-              one.differs
-                ? () =>
-                    use({
-                      baseline: typedLength(one.baseline_m ?? 0, 5),
-                      uBaseline: typedLength(one.u_baseline_m ?? 0, 5),
-                    })
-                : undefined
-            }
-          />
-        ))}
-      </Table>
+      />
       {words.map((one) => (
         <p key={one} class="small muted">
           {one}
@@ -125,44 +140,6 @@ export function RigOfTraffic({ scan, use, narrow, changed }: Props) {
       ))}
       <p class="small muted">{say("scans-traffic-note")}</p>
     </div>
-  );
-}
-
-interface RowProps {
-  what: string;
-  value: string | null;
-  n: number;
-  inForce: string | null;
-  reason: string | null;
-  use?: () => void;
-}
-
-function Row({ what, value, n, inForce, reason, use }: RowProps) {
-  return (
-    <tr>
-      <th scope="row">{what}</th>
-      {value === null ? (
-        <td colSpan={2} class="small muted">
-          {reason}
-        </td>
-      ) : (
-        <>
-          <td class="num">{value}</td>
-          <td class="num">{say("scans-count-vehicles", { count: n })}</td>
-        </>
-      )}
-      {inForce !== null && <td class="num">{inForce}</td>}
-      <td class="num">
-        {use && value !== null && may("operator") && (
-          <Button
-            says="scans-traffic-use"
-            small
-            label={say("scans-traffic-use-for", { what })}
-            onClick={use}
-          />
-        )}
-      </td>
-    </tr>
   );
 }
 

@@ -1,5 +1,5 @@
 /** Lengths and wheelbases against what their makers say. */
-import { num, Panel, Table } from "../../components";
+import { DataTable, Panel } from "../../components";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import type { ScanErrorGroup, ScanStatistics } from "../../core/types";
 import { formatSmall } from "../../core/units";
@@ -12,18 +12,21 @@ const HEADS = wordsOf("motion-", "bias_m", "mae_m", "rmse_m", "sd_m");
 export function SizeErrors({ found }: { found: ScanStatistics }) {
   return (
     <Panel says="motion-errors-title" note={say("motion-errors-note")}>
-      <Table
+      <DataTable
         label={say("motion-errors-table")}
         data-testid="scan-errors"
-        heads={[
-          say("motion-errors-of"),
-          num(say("motion-errors-n")),
-          ...COLUMNS.map((name) => num(HEADS[name])),
+        rows={[...told(LENGTHS, found.length_errors), ...told(WHEELBASES, found.wheelbase_errors)]}
+        keyOf={(_, index) => index}
+        columns={({ col, num, across }) => [
+          col(say("motion-errors-of"), (one) => one.word),
+          num(say("motion-errors-n"), (one) => one.n),
+          ...across(
+            ({ n, reason }) => (n === 0 ? (sentenceOf(reason) ?? say("motion-errors-none")) : undefined),
+            undefined,
+            ...COLUMNS.map((name) => num(HEADS[name], (one) => <Figure of={one.figures[name]} />)),
+          ),
         ]}
-      >
-        <Rows words={LENGTHS} groups={found.length_errors} />
-        <Rows words={WHEELBASES} groups={found.wheelbase_errors} />
-      </Table>
+      />
       <div class="stat-notes small" data-testid="scan-errors-note">
         {[found.length_ratio, found.wheelbase_ratio].map((one) => {
           const agrees = sentenceOf(one.agrees);
@@ -35,43 +38,22 @@ export function SizeErrors({ found }: { found: ScanStatistics }) {
   );
 }
 
-interface RowsProps {
-  words: Readonly<Record<string, string>>;
-  groups: readonly ScanErrorGroup[];
+/** The groups of a size that there are, all together in any case, by their words. */
+function told(words: Readonly<Record<string, string>>, groups: readonly ScanErrorGroup[]) {
+  const there = groups.filter((one) => one.n > 0 || one.group === "overall");
+  return there.map((one) => ({ ...one, word: words[one.group] ?? one.group }));
 }
 
-function Rows({ words, groups }: RowsProps) {
-  const told = groups.filter((one) => one.n > 0 || one.group === "overall");
+function Figure({ of }: { of: ScanErrorGroup["figures"][string] | undefined }) {
+  const within = of?.ci95;
   return (
     <>
-      {told.map((group) => (
-        <tr key={group.group}>
-          <td>{words[group.group] ?? group.group}</td>
-          <td class="num">{group.n}</td>
-          {group.n === 0 ? (
-            <td colSpan={COLUMNS.length} class="small muted">
-              {sentenceOf(group.reason) ?? say("motion-errors-none")}
-            </td>
-          ) : (
-            COLUMNS.map((name) => <Cell key={name} group={group} name={name} />)
-          )}
-        </tr>
-      ))}
-    </>
-  );
-}
-
-function Cell({ group, name }: { group: ScanErrorGroup; name: string }) {
-  const figure = group.figures[name];
-  const within = figure?.ci95;
-  return (
-    <td class="num">
-      {figure?.value == null ? "–" : formatSmall(figure.value)}
+      {of?.value == null ? "–" : formatSmall(of.value)}
       {within && (
         <p class="small muted nowrap">
           {say("interval", { low: formatSmall(within.low), high: formatSmall(within.high) })}
         </p>
       )}
-    </td>
+    </>
   );
 }

@@ -1,9 +1,6 @@
 /** The vehicles in the order in which they passed, with the gaps between them. */
-import { useSignalEffect } from "@preact/signals";
-import { useRef } from "preact/hooks";
 import { StateMark, TableScroll } from "../../components";
-import { bringInSight } from "../../components/inSight";
-import { useOneTabStop } from "../../components/oneTabStop";
+import { useRowsIn } from "../../components/oneTabStop";
 import { Said } from "../../components/Said";
 import { say, sentenceOf } from "../../core/messages";
 import { formatPlaceClock, formatPlaceMoment } from "../../core/times";
@@ -16,12 +13,7 @@ import { stateOf } from "./words";
 
 export function VehicleTable({ model }: { model: ScanModel }) {
   const units = heads();
-  const box = useRef<HTMLTableSectionElement>(null);
-  useOneTabStop(box, ".scan__pick");
-  useSignalEffect(() => {
-    const id = model.chosenId.value;
-    requestAnimationFrame(() => bringInSight(box.current, "data-vehicle", id));
-  });
+  const box = useRowsIn<HTMLTableSectionElement>(".scan__pick", "data-vehicle", model.chosenId);
   const vehicles = model.vehicles.value;
   const clock = model.scan.value?.started_at != null;
   const lanes = (model.scan.value?.rig.lanes.length ?? 0) > 0;

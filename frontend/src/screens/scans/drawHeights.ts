@@ -3,7 +3,7 @@ import { say } from "../../core/messages";
 import type { LineHeight } from "../../core/types";
 import { formatHeight, formatLength, formatRung } from "../../core/units";
 import { heightWords, TARGET_WORDS } from "../../core/words";
-import { cross, joined, type Pens, penOn, word } from "../../parts/strips/marks";
+import { cross, joined, type Pens, penOn, stroke, word } from "../../parts/strips/marks";
 import { type Place, type StripsView, xOf, yOf } from "../../parts/strips/view";
 import { type Clicks, clicksOf } from "./kinds";
 import type { ScanModel } from "./model";
@@ -81,13 +81,10 @@ function inHand(pens: Pens, model: ScanModel): void {
     word(pens, live.point, formatHeight(answer.height_m, answer.U95_height_m), { strong: true });
 }
 
-function level({ pen, view, ink }: Pens, at: Place, span: number): void {
-  pen.strokeStyle = ink;
+function level(pens: Pens, at: Place, span: number): void {
+  const { pen, view, ink } = pens;
   pen.globalAlpha = 0.55;
-  pen.lineWidth = 1;
-  pen.beginPath();
-  pen.moveTo(xOf(view, at.line - span), yOf(view, at.row));
-  pen.lineTo(xOf(view, at.line + span), yOf(view, at.row));
-  pen.stroke();
+  const path = [-span, span].map((by) => [xOf(view, at.line + by), yOf(view, at.row)] as const);
+  stroke(pens, { style: [ink, 1] }, path);
   pen.globalAlpha = 1;
 }

@@ -1,7 +1,7 @@
 /** How the outbox brings what is done on the strips to the server: addresses, bodies, and when two of them are the same. */
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
-import { type Kind, outbox } from "../../core/outbox";
+import { outbox } from "../../core/outbox";
 import type { BodyOf } from "../../core/routes";
 import { sameValue } from "../../core/same";
 import { shapeOf } from "../../core/shape";
@@ -19,12 +19,6 @@ import type { Crossings } from "../../parts/strips/draw";
 import { type Place, placeOf } from "../../parts/strips/view";
 import { type Verdict, verdictKind } from "../../parts/verdicts/kind";
 import { type Facts, type Hubs, rodWords, type ScannedWanted, scannedWords } from "./wanted";
-
-export const LINE_HEIGHT = "line-height";
-export const ROD = "rod";
-export const SCANNED = "scanned";
-export const ADDED = "added";
-export const SCAN_VERDICT = "scan-verdict";
 
 /** An inset of its own, or the side of the driver, whose inset the survey has. */
 export type Inset = { readonly inset_m: number; readonly u_inset_m: number } | { readonly side: DriverSide };
@@ -64,7 +58,7 @@ const isHeight = shapeOf<LineHeight>({
 
 const isScanned = shapeOf<ScanVehicle>({ id: "number", version: "number", deleted: "boolean" });
 
-const heightKind: Kind<LineHeight, HeightWanted, HeightAbout> = {
+export const LINE_HEIGHT = outbox.register<LineHeight, HeightWanted, HeightAbout>("line-height", {
   once: true,
   send({ about: { id: vehicle_id, target }, saved, want }, sending) {
     const revision = saved?.revision ?? 0;
@@ -84,7 +78,7 @@ const heightKind: Kind<LineHeight, HeightWanted, HeightAbout> = {
   },
   version: (saved) => saved?.revision ?? 0,
   words: heightWords,
-};
+});
 
 async function readHeight(
   vehicle_id: number,
@@ -141,7 +135,7 @@ export function isRodOf(saved: LinePose, want: RodValues): boolean {
   return saved.sigma_px === want.sigma_px && sameValue(rodOf(saved), want);
 }
 
-const rodKind: Kind<LinePose, RodValues, { scanId: number }> = {
+export const ROD = outbox.register<LinePose, RodValues, { scanId: number }>("rod", {
   once: true,
   send: ({ about, saved, want }, sending) =>
     api.write(
@@ -155,14 +149,14 @@ const rodKind: Kind<LinePose, RodValues, { scanId: number }> = {
   done: ({ saved, want }) => saved !== null && isRodOf(saved, want),
   version: (saved) => saved?.revision ?? 0,
   words: (saved) => (saved ? rodWords(saved.marks) : say("scan-wish-no-marks")),
-};
+});
 
 interface ScannedAbout {
   readonly id: number;
   readonly scanId: number;
 }
 
-const scannedKind: Kind<ScanVehicle, ScannedWanted, ScannedAbout> = {
+export const SCANNED = outbox.register<ScanVehicle, ScannedWanted, ScannedAbout>("scanned", {
   async send({ about: { id: vehicle_id }, saved, want }, sending) {
     const [at, version] = [{ vehicle_id }, saved?.version ?? 0];
     const { boundaries, hubs, axles, lane, facts } = leftOf(saved, want);
@@ -200,7 +194,7 @@ const scannedKind: Kind<ScanVehicle, ScannedWanted, ScannedAbout> = {
     const { facts, boundaries, hubs } = standing(saved);
     return scannedWords(boundaries ? { facts, boundaries, hubs } : { facts });
   },
-};
+});
 
 /** What of it is not so yet. */
 function leftOf(saved: ScanVehicle | null, want: ScannedWanted): ScannedWanted {
@@ -214,7 +208,7 @@ function leftOf(saved: ScanVehicle | null, want: ScannedWanted): ScannedWanted {
 }
 
 /** A vehicle as one would want it for it to be as it is. */
-function standing(saved: ScanVehicle | null) {
+export function standing(saved: ScanVehicle | null) {
   const m = saved?.measurement;
   return {
     ...(m && { boundaries: crossingsOf(m) }),
@@ -247,7 +241,7 @@ interface Added {
   readonly rear_line_1: number;
 }
 
-const addedKind: Kind<ScanVehicle, Added, { scanId: number }> = {
+export const ADDED = outbox.register<ScanVehicle, Added, { scanId: number }>("added", {
   once: true,
   send: ({ about, want }, sending) =>
     api.write("POST /scans/{scan_id}/vehicles", { scan_id: about.scanId }, { body: want, ...sending }),
@@ -255,7 +249,7 @@ const addedKind: Kind<ScanVehicle, Added, { scanId: number }> = {
   isSaved: isScanned,
   version: () => 0,
   words: () => "",
-};
+});
 
 /** A motion is not fixed by its reviewer. */
 export type MotionVerdict = Verdict & { readonly verdict: Exclude<Verdict["verdict"], "fixed"> };
@@ -279,8 +273,4 @@ const motionVerdict = verdictKind<ScanVehicle, MotionVerdict, VerdictAbout>({
   isOn: (saved, { about }) => saved.measurement?.id === about.measurementId,
 });
 
-outbox.register(LINE_HEIGHT, heightKind);
-outbox.register(ROD, rodKind);
-outbox.register(SCANNED, scannedKind);
-outbox.register(ADDED, addedKind);
-outbox.register(SCAN_VERDICT, motionVerdict);
+export const SCAN_VERDICT = outbox.register("scan-verdict", motionVerdict);

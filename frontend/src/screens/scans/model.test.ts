@@ -66,6 +66,41 @@ function hand(): (fromX: number, toX: number, y?: number, cancelled?: boolean) =
   };
 }
 
+describe("a window that gets another size", () => {
+  const size = { clientWidth: 1000, clientHeight: 424 };
+  let changed = () => {};
+  const seen = (line: number) => model.stage.view.value.toScreen({ camera: 1, line, row: 0 })[0];
+  const narrowed = (width: number) => {
+    size.clientWidth = width;
+    changed();
+  };
+  beforeEach(() => {
+    class Watcher {
+      constructor(told: () => void) {
+        changed = told;
+      }
+      observe() {}
+      disconnect() {}
+    }
+    vi.stubGlobal("ResizeObserver", Watcher);
+    size.clientWidth = 900;
+    model.stage.attach(size as unknown as HTMLElement);
+    model.show("fit");
+  });
+
+  it("still shows the whole of the chosen vehicle", () => {
+    narrowed(300);
+    expect(seen(200)).toBeGreaterThan(0);
+    expect(seen(520)).toBeLessThan(300);
+  });
+
+  it("does not go back to a vehicle that was left", () => {
+    model.stage.view.value = model.stage.view.value.zoom(screenPoint(0, 0), 3).pan(-1e9, 0);
+    narrowed(300);
+    expect(seen(520)).toBeLessThan(0);
+  });
+});
+
 describe("the strips", () => {
   it("go to the screen and back, each camera in its own window", () => {
     for (const at of [

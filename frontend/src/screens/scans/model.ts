@@ -11,7 +11,7 @@ import type { Scan, ScanVehicle, ScanVehicleDetail } from "../../core/types";
 import { EDGES } from "../../parts/strips/draw";
 import { StripStage } from "../../parts/strips/stage";
 import { Tiles, tileAddress } from "../../parts/strips/tiles";
-import { revealLines, type StripPoint, showLines } from "../../parts/strips/view";
+import { revealLines, type StripPoint, type StripsView, showLines } from "../../parts/strips/view";
 import { beside } from "../../parts/worklist";
 import type { Tool } from "../../viewer/tool";
 import type { Mode, Strips } from "./bench";
@@ -37,6 +37,7 @@ export class ScanModel implements Strips {
   readonly stage: StripStage = new StripStage(
     () => [this.judging.rejection, this.stage.keyboard, ...this.placingTools(), this.boundaryTool],
     () => this.show("fit"),
+    (before) => this.keepInSight(before),
   );
   readonly view = this.stage.view;
   readonly mode = signal<Mode>("look");
@@ -146,14 +147,23 @@ export class ScanModel implements Strips {
     else toast(say(by === 1 ? "scan-last-vehicle" : "scan-first-vehicle"));
   }
 
+  /** The lines of the chosen vehicle, on both strips. */
+  private get span(): readonly [first: number, last: number] | null {
+    const lines = this.boundaries.crossings.value;
+    if (!lines) return null;
+    const { front_line_1, front_line_2, rear_line_1, rear_line_2 } = lines;
+    return [Math.min(front_line_1, front_line_2), Math.max(rear_line_1, rear_line_2)];
+  }
+
   /** The chosen vehicle in sight: just so, or filling the window. */
   show(how: "reveal" | "fit"): void {
-    const lines = this.boundaries.crossings.value;
-    const view = this.view.value;
-    if (!lines) return;
-    const first = Math.min(lines.front_line_1, lines.front_line_2);
-    const last = Math.max(lines.rear_line_1, lines.rear_line_2);
-    this.view.value = how === "fit" ? showLines(view, first, last) : revealLines(view, first, last);
+    const look = how === "fit" ? showLines : revealLines;
+    if (this.span) this.view.value = look(this.view.value, ...this.span);
+  }
+
+  /** In a window of another size it is seen as before; one that was left is not gone back to. */
+  private keepInSight(before: StripsView): void {
+    if (this.span && revealLines(before, ...this.span) === before) this.show("reveal");
   }
 
   selectNext(): void {

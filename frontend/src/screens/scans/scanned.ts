@@ -9,8 +9,8 @@ import type { ScanVehicle } from "../../core/types";
 import type { Crossings } from "../../parts/strips/draw";
 import { verdictWords } from "../../parts/verdicts/kind";
 import type { Bench } from "./bench";
-import { crossingsOf, laneByPerson, type MotionVerdict, SCAN_VERDICT, SCANNED } from "./kinds";
-import { type Axles, type Facts, type Hubs, type ScannedWanted, scannedWords } from "./wanted";
+import { crossingsOf, type MotionVerdict, SCAN_VERDICT, SCANNED, standing } from "./kinds";
+import { type Facts, type ScannedWanted, scannedWords } from "./wanted";
 
 type ScannedAbout = { id: number; scanId: number };
 export type ScannedWish = Wish<ScanVehicle, ScannedWanted, ScannedAbout>;
@@ -55,26 +55,17 @@ export class ScannedVehicles {
     write: ({ id }, facts) => this.want(id, { facts }),
   };
 
-  readonly hubs: Ledger<number, Hubs> = {
-    read: (id) => {
-      const measured = this.measurementOf(id);
-      return [measured?.front_wheel_line ?? null, measured?.rear_wheel_line ?? null];
-    },
-    write: (id, hubs) => this.want(id, { hubs }),
-  };
+  readonly hubs = this.part("hubs");
+  readonly axles = this.part("axles");
+  readonly lanes = this.part("lane");
 
-  readonly axles: Ledger<number, Axles> = {
-    read: (id) => {
-      const measured = this.measurementOf(id);
-      return measured?.axles_by === "person" ? measured.axle_lines : null;
-    },
-    write: (id, axles) => this.want(id, { axles }),
-  };
-
-  readonly lanes: Ledger<number, string | null> = {
-    read: (id) => laneByPerson(this.measurementOf(id)),
-    write: (id, lane) => this.want(id, { lane }),
-  };
+  /** A part of what a person says of a vehicle; null: as the program finds it. */
+  private part<P extends "hubs" | "axles" | "lane">(part: P): Ledger<number, ScannedWanted[P] | null> {
+    return {
+      read: (id) => standing(this.of(id))[part] ?? null,
+      write: (id, said) => this.want(id, { [part]: said } as ScannedWanted),
+    };
+  }
 
   /** The verdict that stands on the newest revision; what waits is written as reopened. */
   readonly verdicts: Ledger<number, MotionVerdict> = {

@@ -1,6 +1,6 @@
 import { Button, choices, OptionalField, SelectField } from "../../components";
 import { CommitField, LengthField } from "../../components/CommitField";
-import { navigate, query, setQuery } from "../../core/address";
+import { query, setQuery } from "../../core/address";
 import { say } from "../../core/messages";
 import type { Standard } from "../../core/types";
 import { parseLength, parseNumber, speedScale } from "../../core/units";
@@ -126,8 +126,8 @@ function SurveyRule() {
       <ClassChoice
         classSets={at.getAll("class_set")}
         categories={at.getAll("category")}
-        onClassSets={(chosen) => setSeveral("class_set", chosen)}
-        onCategories={(chosen) => setSeveral("category", chosen)}
+        onClassSets={(chosen) => setQuery({ class_set: chosen })}
+        onCategories={(chosen) => setQuery({ category: chosen })}
       />
     </fieldset>
   );
@@ -192,17 +192,7 @@ function Fleet({ found }: { found: Sight }) {
 }
 
 function setShares(shares: ReadonlyMap<string, number>): void {
-  setSeveral(
-    "share",
-    [...shares].map(([name, percent]) => `${name}:${percent}`),
-  );
-}
-
-function setSeveral(name: string, values: readonly string[]): void {
-  const next = new URLSearchParams(location.search);
-  next.delete(name);
-  for (const value of values) next.append(name, value);
-  navigate(`${location.pathname}?${next}`, { replace: true });
+  setQuery({ share: [...shares].map(([name, percent]) => `${name}:${percent}`) });
 }
 
 interface LengthProps {

@@ -1,9 +1,10 @@
-import { Button, num, Panel, Table } from "../../components";
+import { num, Panel, Table } from "../../components";
 import { Said } from "../../components/Said";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { formatCount, formatSmall, smallScale } from "../../core/units";
 import { csvOf, download } from "../../parts/figures/csv";
 import { FigureCell } from "../../parts/figures/FigureCell";
+import { FileButton } from "../../parts/figures/FileButton";
 import { NONE, range, scaled, squareScale } from "../../parts/figures/numbers";
 import { asInPaper } from "./filters";
 import { type ErrorGroup, type Errors, GROUP_WORDS, isThere } from "./model";
@@ -43,16 +44,7 @@ export function ErrorTable({ errors }: { errors: Errors }) {
   return (
     <Panel
       says="statistics-errors-title"
-      aside={
-        <Button
-          says="file-csv"
-          small
-          icon="download"
-          class="stat-noprint"
-          onClick={() => save(errors)}
-          title={say("statistics-errors-save")}
-        />
-      }
+      aside={<FileButton as="csv" save={() => save(errors)} title={say("statistics-errors-save")} />}
     >
       <Table
         label={say("statistics-errors-title")}

@@ -3,7 +3,7 @@ import { Button, choices, Loaded, Problem, SelectField, TextField } from "../../
 import { useAction } from "../../core/action";
 import { ApiError, api } from "../../core/api";
 import { fieldsOf, sent } from "../../core/form";
-import { say } from "../../core/messages";
+import { say, wordsOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import type { Standard } from "../../core/types";
 import { formatLength, lengthText, lengthUnit, parseLength, parseNumber } from "../../core/units";
@@ -147,10 +147,7 @@ function RowFields({ row: stored, change, remove }: RowProps) {
       <SelectField
         says="statistics-standards-drawn"
         value={row.drawn ? "yes" : "no"}
-        options={[
-          { value: "yes", label: say("statistics-standard-drawn-yes") },
-          { value: "no", label: say("statistics-standard-drawn-no") },
-        ]}
+        options={choices(wordsOf("statistics-standard-drawn-", "yes", "no"))}
         onInput={(drawn) => change({ drawn: drawn === "yes" })}
       />
       <Button

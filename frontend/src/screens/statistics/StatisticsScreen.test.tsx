@@ -2,7 +2,8 @@
 import { render } from "preact";
 import { afterEach, expect, it, vi } from "vitest";
 import { FakeServer } from "../../../testing/server";
-import { ByLot, Conclusion, SamplePlan } from "./StatisticsScreen";
+import type { Lateral } from "./model";
+import { ByLot, Conclusion, LanesTable, SamplePlan } from "./StatisticsScreen";
 
 afterEach(() => {
   render(null, document.body);
@@ -56,4 +57,18 @@ it("says that it is not known how many heights were accepted by lot", async () =
   });
   render(<ByLot surveyId={1} />, document.body);
   await vi.waitFor(() => expect(document.body.textContent).toContain("(status 400)"));
+});
+
+it("keeps a lane's rows when another lane comes before it", () => {
+  const spread = (word: string) => ({ word, n: 3, mean_m: 4, sd_m: 0.1, percentiles: [] });
+  const show = (...lanes: string[]) => {
+    const classes = Object.fromEntries(lanes.map((lane) => [lane, { groups: [spread("van")] }]));
+    const lateral = { all: spread("all"), lanes: { groups: lanes.map(spread) }, classes };
+    render(<LanesTable lateral={lateral as unknown as Lateral} />, document.body);
+    return [...document.querySelectorAll("tbody tr")];
+  };
+  const [, far, ofFar] = show("far");
+  const rows = show("near", "far");
+  expect(rows.indexOf(far as Element)).toBe(3);
+  expect(rows.indexOf(ofFar as Element)).toBe(4);
 });

@@ -1,3 +1,4 @@
+import { Fragment } from "preact";
 import { useEffect } from "preact/hooks";
 import {
   Button,
@@ -288,7 +289,7 @@ function LateralSection({ lateral }: { lateral: Lateral }) {
   );
 }
 
-function LanesTable({ lateral }: { lateral: Lateral }) {
+export function LanesTable({ lateral }: { lateral: Lateral }) {
   return (
     <Table
       label={say("statistics-lateral-title")}
@@ -296,12 +297,12 @@ function LanesTable({ lateral }: { lateral: Lateral }) {
     >
       <Row word={say("statistics-lateral-all")} one={lateral.all} />
       {lateral.lanes.groups.map((lane) => (
-        <>
-          <Row key={lane.word} word={laneWord(lane.word)} one={lane} />
+        <Fragment key={lane.word}>
+          <Row word={laneWord(lane.word)} one={lane} />
           {lateral.classes[lane.word]?.groups.map((of) => (
-            <Row key={`${lane.word} ${of.word}`} word={classWord(of.word)} one={of} within />
+            <Row key={of.word} word={classWord(of.word)} one={of} within />
           ))}
-        </>
+        </Fragment>
       ))}
     </Table>
   );

@@ -1,4 +1,4 @@
-import { Button, Notice, num, Panel, Table } from "../../components";
+import { Notice, num, Panel, Table } from "../../components";
 import { Said } from "../../components/Said";
 import { allOf, say, sentenceOf } from "../../core/messages";
 import type { Density, Ecdf, Standard } from "../../core/types";
@@ -21,6 +21,7 @@ import {
   standardMarks,
   standardTiers,
 } from "../../parts/figures/curves";
+import { FileButton } from "../../parts/figures/FileButton";
 import { percent } from "../../parts/figures/numbers";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 import { formatLimit, inWords } from "../../parts/figures/standards";
@@ -226,14 +227,7 @@ export function Percentiles({ target }: { target: OfTarget }) {
           {say("statistics-percentiles-note")}
           <NoIntervals rows={first} />
         </div>
-        <Button
-          says="file-csv"
-          small
-          icon="download"
-          class="stat-noprint"
-          onClick={() => save(target)}
-          title={say("statistics-percentiles-save")}
-        />
+        <FileButton as="csv" save={() => save(target)} title={say("statistics-percentiles-save")} />
       </div>
     </div>
   );

@@ -1,5 +1,5 @@
 /** The filter as the page's address holds it: the server's own names, so that a link tells all. */
-import { navigate, query } from "../../core/address";
+import { query, setQuery } from "../../core/address";
 import type { AddressOf } from "../../core/routes";
 
 export const CORRECTIONS = ["inset", "shift", "none", "regression", "deconvolution"] as const;
@@ -20,7 +20,7 @@ const WHICH = [
 const SINGLE = [...WHICH, "rounding", "correction", "u_reference_m"] as const;
 const REPEATED = ["survey", "category", "class_set", "eye_limit_m", "object_limit_m"] as const;
 export type SingleName = (typeof SINGLE)[number];
-export type RepeatedName = (typeof REPEATED)[number] | "off" | "paper";
+type RepeatedName = (typeof REPEATED)[number] | "off" | "paper";
 
 /** What the server is asked for an address: what only the page knows is left out. */
 export function statisticsQuery(query: URLSearchParams): AddressOf<"GET /statistics"> {
@@ -30,29 +30,13 @@ export function statisticsQuery(query: URLSearchParams): AddressOf<"GET /statist
   return asked;
 }
 
-/** An address with some values changed; null or an empty list removes one. */
-export function changed(
-  query: URLSearchParams,
-  changes: Partial<Record<SingleName | RepeatedName, string | readonly string[] | null>>,
-): URLSearchParams {
-  const next = new URLSearchParams(query);
-  for (const [name, value] of Object.entries(changes)) {
-    next.delete(name);
-    for (const one of typeof value === "string" ? [value] : (value ?? [])) if (one) next.append(name, one);
-  }
-  return next;
-}
+type Changes = Partial<Record<SingleName | RepeatedName, string | readonly string[] | null>>;
 
-export function setFilter(changes: Parameters<typeof changed>[1]): void {
-  const text = changed(new URLSearchParams(location.search), changes).toString();
-  navigate(location.pathname + (text ? `?${text}` : ""), { replace: true });
-}
+export const setFilter: (changes: Changes) => void = setQuery;
 
 const NARROWING = [...WHICH, "category", "class_set"] as const;
 
-export const WIDE: Partial<Record<SingleName | RepeatedName, null>> = Object.fromEntries(
-  NARROWING.map((name) => [name, null]),
-);
+export const WIDE: Changes = Object.fromEntries(NARROWING.map((name) => [name, null]));
 
 export function narrowed(query: URLSearchParams): boolean {
   return NARROWING.some((name) => query.get(name));

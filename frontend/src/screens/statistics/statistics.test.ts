@@ -1,11 +1,12 @@
 import { afterEach, describe, expect, it } from "vitest";
+import { changed } from "../../core/address";
 import { address } from "../../core/api";
 import type { Standard } from "../../core/types";
 import { lengthUnit } from "../../core/units";
 import { csvOf } from "../../parts/figures/csv";
 import { type Hue, hueOf } from "../../parts/figures/hues";
 import { resolved } from "../../parts/figures/svg";
-import { changed, narrowed, statisticsQuery } from "./filters";
+import { narrowed, statisticsQuery } from "./filters";
 import { problemOfRow, rowOf, standardOf } from "./StandardsEditor";
 
 describe("the address", () => {

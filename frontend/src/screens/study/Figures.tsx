@@ -91,11 +91,7 @@ export function Percentiles({ found, targets }: { found: Found; targets: readonl
               ) : (
                 rows.map((one) => (
                   <td key={nameOf(one)} class="num" title={sentenceOf(one.reason) ?? undefined}>
-                    <Bounded
-                      value={plainHeight(one.value_m)}
-                      low={one.low_m === null ? null : plainHeight(one.low_m)}
-                      high={one.high_m === null ? null : plainHeight(one.high_m)}
-                    />
+                    <Bounded value={one.value_m} low={one.low_m} high={one.high_m} print={plainHeight} />
                   </td>
                 ))
               )}
@@ -185,11 +181,7 @@ function Errors({ rows }: { rows: Found["errors"] }) {
                 const one = of.find((row) => row.figure === figure);
                 return (
                   <td key={figure} class="num">
-                    <Bounded
-                      value={one ? formatSmall(one.value_m) : NONE}
-                      low={one && one.low_m !== null ? formatSmall(one.low_m) : null}
-                      high={one && one.high_m !== null ? formatSmall(one.high_m) : null}
-                    />
+                    <Bounded value={one?.value_m} low={one?.low_m} high={one?.high_m} print={formatSmall} />
                   </td>
                 );
               })}
@@ -217,11 +209,7 @@ function Classes({ rows }: { rows: Found["classes"] }) {
           rowHead(say("study-class"), (one) => CATEGORY_WORDS[one.category as Category] ?? one.category),
           num(say("study-vehicles"), (one) => formatCount(one.n)),
           num(say("study-share"), ({ share, low, high }) => (
-            <Bounded
-              value={percent(share)}
-              low={low === null ? null : percent(low)}
-              high={high === null ? null : percent(high)}
-            />
+            <Bounded value={share} low={low} high={high} print={percent} />
           )),
           num(say("study-fleet-share"), (one) =>
             one.fleet_share === null ? NONE : percent(one.fleet_share),

@@ -6,7 +6,7 @@ import type { Response, Sampling, Survey } from "../../core/types";
 import { fixed, formatCount, plainPercent } from "../../core/units";
 import { CLASS_SET_WORDS, LIGHTING_WORDS, TARGET_WORDS } from "../../core/words";
 import { Bounded } from "../../parts/figures/FigureCell";
-import { NONE } from "../../parts/figures/numbers";
+import { percent } from "../../parts/figures/numbers";
 import { SampleQuotas, useSample } from "../../parts/vehicles/SampleQuotas";
 
 export function SampleSection({ survey, edit }: { survey: Survey; edit(): void }) {
@@ -77,15 +77,8 @@ function setWord(set: Response["class_set"]): string {
 
 /** To a tenth, as in the report: 199 of 200 are not 100 %. */
 export function Rate({ rate, low, high }: Pick<Response, "rate" | "low" | "high">) {
-  const percent = (share: number | null) => (share === null ? null : fixed(100 * share, 1));
-  const value = percent(rate);
-  return (
-    <Bounded
-      value={value === null ? NONE : say("percent", { percent: value })}
-      low={percent(low)}
-      high={percent(high)}
-    />
-  );
+  const tenths = (share: number) => fixed(100 * share, 1);
+  return <Bounded value={rate} low={low} high={high} print={percent} within={tenths} />;
 }
 
 function ruleWords(rule: Sampling): string {

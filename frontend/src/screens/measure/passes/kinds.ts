@@ -1,23 +1,18 @@
 /** How the outbox brings passes to the server: made, taken out and brought back, split and joined. */
 import { api } from "../../../core/api";
 import { say } from "../../../core/messages";
-import { type Kind, outbox } from "../../../core/outbox";
+import { outbox } from "../../../core/outbox";
 import { shapeOf } from "../../../core/shape";
 import type { Vehicle } from "../../../core/types";
 import { STATE_WORDS } from "../../../core/words";
 import { isVehicle } from "../../../viewer/vehicle";
-
-export const PASS_ADDED = "pass-added";
-export const PASS_THERE = "pass-there";
-export const PASS_SPLIT = "pass-split";
-export const PASS_JOINED = "pass-joined";
 
 export interface AddedWant {
   readonly first_frame: number;
   readonly last_frame: number;
 }
 
-const addedKind: Kind<Vehicle, AddedWant, { recordingId: number }> = {
+export const PASS_ADDED = outbox.register<Vehicle, AddedWant, { recordingId: number }>("pass-added", {
   once: true,
   send: ({ about: { recordingId: recording_id }, want: { first_frame, last_frame } }, sending) =>
     api.write(
@@ -29,7 +24,7 @@ const addedKind: Kind<Vehicle, AddedWant, { recordingId: number }> = {
   isSaved: isVehicle,
   version: (saved) => saved?.version ?? 0,
   words: (saved) => (saved ? passWords(saved) : say("measure-deleted")),
-};
+});
 
 export interface Presence {
   readonly there: boolean;
@@ -40,7 +35,7 @@ export interface Presence {
 
 const isPresence = shapeOf<Presence>({ there: "boolean", vehicle: "nullable" });
 
-const thereKind: Kind<Presence, boolean, { id: number }> = {
+export const PASS_THERE = outbox.register<Presence, boolean, { id: number }>("pass-there", {
   async send({ about: { id: vehicle_id }, saved, want }, sending) {
     if (want) {
       const vehicle = await api.write("POST /vehicles/{vehicle_id}/restore", { vehicle_id }, sending);
@@ -59,7 +54,7 @@ const thereKind: Kind<Presence, boolean, { id: number }> = {
   done: ({ saved, want }) => saved?.there === want,
   version: (saved) => (saved ? `${saved.there} ${saved.version}` : ""),
   words: (saved) => (saved?.there && saved.vehicle ? passWords(saved.vehicle) : STATE_WORDS.withdrawn),
-};
+});
 
 export interface Parts {
   readonly earlier: Vehicle;
@@ -68,7 +63,7 @@ export interface Parts {
 
 const isParts = shapeOf<Parts>({ earlier: "object", later: "nullable" });
 
-const splitKind: Kind<Parts, number, SplitAbout> = {
+export const PASS_SPLIT = outbox.register<Parts, number, SplitAbout>("pass-split", {
   once: true,
   async send({ about: { id, version }, want: frame }, sending) {
     const body = { frame, version: await versionOf(id, version, sending.signal) };
@@ -82,7 +77,7 @@ const splitKind: Kind<Parts, number, SplitAbout> = {
     isParts(answer) && isVehicle(answer.earlier) && (answer.later === null || isVehicle(answer.later)),
   version: (saved) => saved?.earlier.version ?? 0,
   words: (saved) => (saved ? passWords(saved.earlier) : ""),
-};
+});
 
 export interface SplitAbout {
   readonly id: number;
@@ -99,7 +94,7 @@ async function versionOf(id: number, seen: number | null, signal: AbortSignal): 
   return seen ?? (await api.ask("GET /vehicles/{vehicle_id}", { vehicle_id: id }, { signal })).version;
 }
 
-const joinedKind: Kind<Vehicle, readonly [number, number], JoinAbout> = {
+export const PASS_JOINED = outbox.register<Vehicle, readonly [number, number], JoinAbout>("pass-joined", {
   once: true,
   async send({ about: { id, other_id, version, other_version } }, sending) {
     const body = {
@@ -114,7 +109,7 @@ const joinedKind: Kind<Vehicle, readonly [number, number], JoinAbout> = {
   isSaved: isVehicle,
   version: (saved) => saved?.version ?? 0,
   words: (saved) => (saved ? passWords(saved) : say("measure-deleted")),
-};
+});
 
 function passWords({ number, first_frame, last_frame }: Vehicle): string {
   return say("measure-pass-title", {
@@ -123,8 +118,3 @@ function passWords({ number, first_frame, last_frame }: Vehicle): string {
     last_frame: String(last_frame),
   });
 }
-
-outbox.register(PASS_ADDED, addedKind);
-outbox.register(PASS_THERE, thereKind);
-outbox.register(PASS_SPLIT, splitKind);
-outbox.register(PASS_JOINED, joinedKind);

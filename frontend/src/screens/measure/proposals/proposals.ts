@@ -158,19 +158,20 @@ export class Proposals implements Tool<ImagePoint> {
     if (!shown) return this.goOn();
     if (!canWork.value) return false;
     if (!this.hands.armed || !this.ready.value) return true;
-    if (shown.targets.length === 0) return this.confirmContact(shown);
     const proposedOn = { frame: shown.frame, contact: shown.proposedContact };
     const confirmed = shown.targets.flatMap(({ role, at, proposed }) => {
       const preview = this.heightOf(role);
       if (preview?.status !== "ok") return [];
       return [{ target: role, point: at, proposed: { ...proposedOn, point: proposed }, preview }];
     });
-    if (confirmed.length === 0) return false;
+    // where no target is proposed the contact alone is taken, and the targets are clicked on it
+    const alone = shown.targets.length === 0;
+    if (confirmed.length === 0 && !alone) return false;
     this.hands.armed = false;
     this.selected.value = null;
     this.confirmedOf.add(shown.vehicleId);
     this.points().takeProposed(shown.frame, shown.contact, confirmed);
-    if (this.desk.standing.missing().length === 0) this.next();
+    if (!alone && this.desk.standing.missing().length === 0) this.next();
     return true;
   }
 
@@ -179,15 +180,6 @@ export class Proposals implements Tool<ImagePoint> {
     if (!done || !canWork.value || this.busy()) return false;
     if (this.hands.armed) this.next();
     this.hands.armed = false;
-    return true;
-  }
-
-  /** Where no target is proposed the contact alone is taken, and the targets are clicked on it. */
-  private confirmContact({ vehicleId, frame, contact }: Shown): boolean {
-    this.hands.armed = false;
-    this.selected.value = null;
-    this.confirmedOf.add(vehicleId);
-    this.points().takeProposed(frame, contact, []);
     return true;
   }
 
