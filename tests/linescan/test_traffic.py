@@ -53,7 +53,7 @@ def test_nothing_is_lost_and_nothing_counted_twice(
     for one in found:
         assert sum(kind.vehicles for kind in one.classes) + one.unclassed == one.vehicles
         assert 0 < one.watched_s <= 60 * minutes + 1e-9
-        assert one.partial == (one.watched_s < 60 * minutes)
+        assert one.partial == (one.watched_s < 60 * minutes - 1e-6)
         assert 0 <= (one.occupancy_percent.value or 0) <= 100 + 1e-9
         assert one.flow_low <= one.flow_per_hour <= one.flow_high
         time_mean, space_mean = one.time_mean_speed_mps.value, one.space_mean_speed_mps.value
@@ -243,6 +243,13 @@ def test_intervals_keep_to_clocks_that_are_put_forward_by_half_an_hour(start: st
     found = intervals([], 9000.0, into_hour_s, 60)
     assert [f"{shown(one.begin_s):%H:%M}" for one in found] == begins
     assert [one.watched_s for one in found] == [2700.0, 1800.0, 3600.0, 900.0]
+    assert [one.partial for one in found] == [True, False, False, True]
+
+
+def test_an_interval_that_is_recorded_whole_is_not_partial() -> None:
+    """From 753.552 s past the hour on, 1046.448 - 746.448 came to less than 300 s."""
+    found = intervals([], 3600.0, clock(753.552), 5)
+    assert [one.partial for one in found] == [True, *[False] * 11, True]
 
 
 def test_a_partial_interval_is_said() -> None:

@@ -1,6 +1,6 @@
 """When a recording was filmed: proposed from its file, confirmed by a person; and whether its camera fits."""
 
-from datetime import UTC, datetime, timedelta
+from datetime import UTC, date, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +14,7 @@ from sightline.infra.services import Services
 from sightline.media.video.ingest import ingest
 from sightline.media.video.stated import Stated
 from sightline.recordings import ingest_job
-from sightline.recordings.filming import misfits
+from sightline.recordings.filming import FilmedWithin, misfits
 from sightline.recordings.store import get_recording, recordings_of_content
 from tests.media.clips import edited, painted
 from tests.media.test_other_recorders import two_pictures
@@ -98,6 +98,18 @@ def test_what_cannot_be_a_start_is_refused_in_one_sentence(operator: Client, rec
         assert answer.status_code == 422
         assert answer.json()["error"]["code"] == code, answer.text
     assert operator.seen(f"/recordings/{recording_id}")["started_at"] is None
+
+
+def test_hours_past_midnight_are_of_the_night_that_begins_on_the_day() -> None:
+    """22:00 to 06:00 of the 4th was its early morning and its late evening, halves of two nights."""
+    night = FilmedWithin(date(2026, 5, 4), date(2026, 5, 4), 22, 6)
+    hours = [f"2026-05-{day:02}T{hour:02}:30:00+02:00" for day in (3, 4, 5) for hour in range(24)]
+    held = [one[8:13] for one in hours if night.holds(one)]
+    assert held == ["04T22", "04T23", *(f"05T{hour:02}" for hour in range(6))]
+    evening = FilmedWithin(date(2026, 5, 4), date(2026, 5, 4), 22)
+    assert [one[8:13] for one in hours if evening.holds(one)] == ["04T22", "04T23"]
+    any_night = FilmedWithin(hour_from=22, hour_to=6)
+    assert sum(map(any_night.holds, hours)) == 24 and not any_night.holds("")
 
 
 def test_a_pass_and_its_heights_have_their_time(operator: Client, recording_id: int) -> None:

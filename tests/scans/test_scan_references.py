@@ -456,3 +456,13 @@ def test_an_hour_that_clocks_show_twice_wants_its_offset() -> None:
     assert autumn.vehicle_at(autumn.instant("2026-10-25T02:30:00+02:00"), "")[0] == 1
     with pytest.raises(BadInput, match="nearest is vehicle 2"):
         autumn.vehicle_at(autumn.instant("2026-10-25T02:30:00+01:00"), "")
+    # the day before has the time too; it was taken, without a word
+    for hours, words in ((26, "give the date too"), (24, "give the date too"), (23, None)):
+        long = matching("2026-10-24T02:00:00", 3600.0 * hours)
+        if words is None:
+            assert long.instant("02:30:00") == at("2026-10-24T02:30:00")
+        else:
+            with pytest.raises(BadInput, match=words):
+                long.instant("02:30:00" if hours == 26 else "02:00:00")
+    # the first of the two hours alone was recorded
+    assert matching("2026-10-25T01:30:00", 4000.0).instant("02:30:00") == at("2026-10-25T02:30:00+02:00")

@@ -46,6 +46,8 @@ _HOUR_S = 3600.0
 _TAIL = 0.025
 #: Clocks are never put forward or back by so little, nor told that badly.
 _CLOCK_STEP_S = 1.0
+#: What edges are off by in floating point.
+_ROUNDED_S = 1e-6
 _NO_SPEED = Said("scan-flow-no-speed")
 _REAR_UNSEEN = Said("scan-flow-rear-unseen")
 
@@ -57,7 +59,7 @@ class Passed:
     `u_since_s`: of its time of day, None where unknown. The rest is None where no motion of it counts.
     `rig_ratio`: the share of `u_speed_mps` that the rig gives to all vehicles alike, over the speed.
     `refused`: its motion could not be measured; `stands`: it stood, and may still; `front_seen`: False of one
-    that was in view when the recording began, `told_before`: and that the recording before counts.
+    that was in view when the recording began, `told_before`: one that another recording counts.
     """
 
     since_s: float
@@ -223,13 +225,17 @@ def intervals(
             _interval(
                 passed[begin:stop],
                 before,
-                [gap for gap in headways[begin:stop] if gap is not None],
+                [
+                    gap
+                    for one, gap in zip(passed[begin:stop], headways[begin:stop], strict=True)
+                    if gap is not None and not one.told_before
+                ],
                 None
                 if stood_before or _overlap(unsure, begin_s, stop_s)
                 else _overlap(covered, begin_s, stop_s),
                 (begin_s, stop_s),
                 of_clock,
-                stop_s - begin_s < long_s,
+                stop_s - begin_s < of_clock[1] - of_clock[0] - _ROUNDED_S,
                 limits_m,
                 largest_u_s,
             )

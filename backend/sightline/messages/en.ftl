@@ -3256,6 +3256,7 @@ statistics-filter-filmed_from = Filmed from
 statistics-filter-filmed_to = Filmed to
 statistics-filter-hour_from = From hour
 statistics-filter-hour_to = To hour
+statistics-filter-over-midnight = Past midnight: each night belongs to the day on which it begins.
 statistics-filter-first-day = Measured from (UTC)
 statistics-filter-last-day = Measured to (UTC)
 statistics-filter-correction = Correction

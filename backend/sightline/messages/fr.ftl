@@ -3259,6 +3259,7 @@ statistics-filter-filmed_from = Filmé du
 statistics-filter-filmed_to = Filmé jusqu’au
 statistics-filter-hour_from = De l’heure
 statistics-filter-hour_to = À l’heure
+statistics-filter-over-midnight = Après minuit : chaque nuit appartient au jour où elle commence.
 statistics-filter-first-day = Mesuré du (UTC)
 statistics-filter-last-day = Mesuré jusqu’au (UTC)
 statistics-filter-correction = Correction

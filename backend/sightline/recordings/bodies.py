@@ -15,7 +15,11 @@ HourFrom = Annotated[
 ]
 HourTo = Annotated[
     int | None,
-    Field(ge=1, le=24, description="Up to this full hour; before hour_from: past midnight."),
+    Field(
+        ge=1,
+        le=24,
+        description="Up to this full hour; before hour_from: of the nights that begin on the days.",
+    ),
 ]
 
 

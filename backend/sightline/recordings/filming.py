@@ -53,7 +53,8 @@ class FilmedWithin:
     """What was filmed on these days, the last included, and at these hours of the day, by the clocks of the
     place. None: no limit.
 
-    `hour_from`: 0 to 23; `hour_to`: 1 to 24, not included. Where it comes first, midnight lies between.
+    `hour_from`: 0 to 23; `hour_to`: 1 to 24, not included. Where it comes first, midnight lies between, and
+    the hours after it are of the day before, on which the night began.
     """
 
     filmed_from: date | None = None
@@ -79,12 +80,14 @@ class FilmedWithin:
         if not self.limits_time:
             return keep
         day, hour = np.divmod(hours, _DAY_H)
+        begins, ends = self.hour_from or 0, _DAY_H if self.hour_to is None else self.hour_to
+        after, before = hour >= begins, hour < ends
+        if begins > ends:
+            day -= before
         if self.filmed_from is not None:
             keep &= day >= (self.filmed_from - _EPOCH).days
         if self.filmed_to is not None:
             keep &= day <= (self.filmed_to - _EPOCH).days
-        begins, ends = self.hour_from or 0, _DAY_H if self.hour_to is None else self.hour_to
-        after, before = hour >= begins, hour < ends
         return keep & (hours >= 0) & (after & before if begins < ends else after | before)
 
     def holds(self, filmed_at: str) -> bool:

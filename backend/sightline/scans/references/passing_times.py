@@ -37,7 +37,7 @@ class Matching:
         """The instant that a line's time says: ISO 8601, or a time of day by the clocks of the recording.
 
         Raises BadInput for what is no time with seconds, what clocks skip or show twice, and a time of day
-        that comes on several days of the recording.
+        that comes several times within the recording.
         """
         stripped = text.strip()
         if _DATED.match(stripped):
@@ -61,10 +61,14 @@ class Matching:
                 instants.append(instant_of(f"{day.isoformat()}T{time}", self.filming.time_zone))
             except BadInput as error:
                 problem = error if first <= day <= last else problem
+                twice = error.values if error.code == "local-time-twice" else {}
+                offsets = [twice[name] for name in ("first", "second") if name in twice]
+                shown = [f"{day.isoformat()}T{time}{offset}" for offset in offsets]
+                instants += [instant_of(one, self.filming.time_zone) for one in shown]
         inside = [at for at in instants if start - slack <= at <= end + slack]
-        if len(inside) > 1:
+        if len({local_date(at, self.filming.time_zone) for at in inside}) > 1:
             raise BadInput("reference-line-no-date", time=time)
-        if not inside and (problem is not None or not instants):
+        if len(inside) > 1 or (not inside and (problem is not None or not instants)):
             raise problem or BadInput("reference-line-no-time", text=time)
         return inside[0] if inside else min(instants, key=lambda at: max(start - at, at - end))
 

@@ -49,6 +49,9 @@ export function FilmedFields({
           onInput={(hour) => onChange({ [name]: hour === null ? null : Number(hour) })}
         />
       ))}
+      {(value.hour_from ?? 0) > (value.hour_to ?? DAY_H) && (
+        <p class="field__hint across">{say("statistics-filter-over-midnight")}</p>
+      )}
     </>
   );
 }
