@@ -41,8 +41,8 @@ from sightline.recordings.filming import Filming
 from sightline.recordings.ingest_job import facts_of, pack_thumbnails, table_of, thumbnails_key_of
 from sightline.recordings.records import RecordingChanges
 from sightline.recordings.store import create_recording, note_ingested, update_recording
-from sightline.reviews.lots.query import get_lot, waiting_measurements
 from sightline.reviews.lots.service import accept_lot, draw_lots, lots_with_items, planned_lots
+from sightline.reviews.lots.store import get_lot, waiting_measurements
 from sightline.reviews.plan_store import choose_review_plan
 from sightline.reviews.store import add_review
 from sightline.statistics.acceptance import USUAL_RISKS

@@ -23,6 +23,7 @@ from sightline.messages.said import Said
 
 CAMERA_FORMAT = "sightline-camera-1"
 POSE_FORMAT = "sightline-pose-1"
+_OF_CAMERA = ("name", "width_px", "height_px", "model", "fx_px", "fy_px", "cx_px", "cy_px")
 _LENGTHS: dict[LensModel, tuple[int, ...]] = {"brown": (4, 5, 8), "fisheye": (4,)}
 
 
@@ -51,14 +52,7 @@ def camera_to_dict(camera: Camera) -> dict[str, Any]:
     """
     return {
         "format": CAMERA_FORMAT,
-        "name": camera.name,
-        "width_px": camera.width_px,
-        "height_px": camera.height_px,
-        "model": camera.model,
-        "fx_px": camera.fx_px,
-        "fy_px": camera.fy_px,
-        "cx_px": camera.cx_px,
-        "cy_px": camera.cy_px,
+        **{name: getattr(camera, name) for name in _OF_CAMERA},
         "distortion": [float(v) for v in camera.distortion],
         "rms_px": camera.rms_px,
         "parameters": list(camera.parameters),

@@ -19,6 +19,7 @@ from cachetools import LRUCache, cached
 from numpy.typing import NDArray
 from pydantic import Field
 
+from sightline.arrays import Ints
 from sightline.enums import (
     AcceptedVerdict,
     Category,
@@ -43,6 +44,7 @@ from sightline.results.measured_columns_query import (
     NONE,
     TARGETS,
     VERDICTS,
+    Heights,
     Measured,
     load_measured_columns,
 )
@@ -421,9 +423,14 @@ def _lateral(measured: Measured) -> Lateral:
     )
 
 
-def height_sample(measured: Measured, sites: Grouping | None = None) -> HeightSample:
-    """Heights of one target with the parts of their uncertainty: which pose and which inset each one used."""
-    poses, pose = np.unique(measured.pose_id, return_inverse=True)
+def height_sample(
+    measured: Heights, sites: Grouping | None = None, named_poses: Ints | None = None
+) -> HeightSample:
+    """Heights of one target with the parts of their uncertainty: which pose and which inset each one used.
+    `named_poses`: (N,), where the poses of several packages have one number.
+    """
+    named = measured.pose_id if named_poses is None else named_poses
+    poses, pose = np.unique(named, return_inverse=True)
     return sample_of_measurements(
         height_m=measured.height_m,
         u_height_m=measured.u_height_m,

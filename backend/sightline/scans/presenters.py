@@ -80,8 +80,8 @@ def vehicle_body(shown: ShownVehicle, asker: int) -> ScanVehicleBody:
         u_filmed_at_s=None if passing is None else passing.u_filmed_at_s,
         U95_filmed_at_s=None if passing is None else expanded(passing.u_filmed_at_s),
         gap=shown.gap and _gap(shown.gap),
-        length_error_m=shown.length_error_m,
-        wheelbase_error_m=shown.wheelbase_error_m,
+        length_error_m=shown.error_m("length"),
+        wheelbase_error_m=shown.error_m("wheelbase"),
         references=[shown_reference(one, ours) for one in shown.references],
     )
 

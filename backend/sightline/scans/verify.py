@@ -110,25 +110,13 @@ def check_scans(
     _current(rows["scan_vehicle"], rows["scan_measurement"])
     _passings(rows["scan_vehicle"], rows["scan_measurement"], events)
     check_gaps(rows["scan_vehicle"], events["scan"], events["scan_measurement"], recomputing, program)
-    _verdicts(SCAN_MEASUREMENTS, rows["scan_measurement"], "measurement_id", rows["scan_review"])
-    _verdicts(LINE_HEIGHTS, rows["line_height"], "height_id", rows["line_height_review"])
+    motions = SCAN_MEASUREMENTS, rows["scan_measurement"], "measurement_id", rows["scan_review"]
+    heights = LINE_HEIGHTS, rows["line_height"], "height_id", rows["line_height_review"]
+    _verdicts(*motions)
+    _verdicts(*heights)
     check_references(rows["scan_reference"], rows["scan_vehicle"], events)
-    check_verdicts_gone_over(
-        SCAN_MEASUREMENTS,
-        rows["scan_measurement"],
-        "measurement_id",
-        rows["scan_review"],
-        {},
-        _motion_put_back,
-    )
-    check_verdicts_gone_over(
-        LINE_HEIGHTS,
-        rows["line_height"],
-        "height_id",
-        rows["line_height_review"],
-        computings,
-        line_height_put_back,
-    )
+    check_verdicts_gone_over(*motions, {}, _motion_put_back)
+    check_verdicts_gone_over(*heights, computings, line_height_put_back)
     check_line_heights(files, events["line_pose"], recomputing)
     check_rig_calibrations(files, events["rig_calibration"], recomputing)
     return sum(len(found) for found in rows.values())

@@ -55,16 +55,22 @@ def whose_heights(what: StandardHeight, by_class: bool) -> RuleHeights:
     return "all" if not by_class else "trucks" if what == "eye_truck" else "cars"
 
 
-def rule_today(standard: Standard, figures: TotalUncertainty | None, by_class: bool) -> RuleToday | None:
-    """The rule of a standard on the heights of its class, None: there are none; None where it states no
-    percentile.
+def rule_today(
+    standard: Standard,
+    figures: TotalUncertainty | None,
+    by_class: bool,
+    n: int = 0,
+    reason: Said | None = None,
+) -> RuleToday | None:
+    """The rule of a standard on the heights of its class, None: there are none, or n that have no figures for
+    a reason; None where it states no percentile.
 
     JCGM 106:2012, 8.3.
     """
     if standard.percent is None:
         return None
     if figures is None:
-        return unknown_rule(standard, 0, by_class, None, Said("stat-none-of-class"))
+        return unknown_rule(standard, n, by_class, None, reason or Said("stat-none-of-class"))
     figure, draws = figures.percentile(standard.percent), figures.percentile_draws(standard.percent)
     if isinstance(draws, Said):
         return unknown_rule(standard, figures.n, by_class, figure.value, draws)

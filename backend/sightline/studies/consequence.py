@@ -5,12 +5,12 @@ from collections.abc import Sequence
 from sightline.enums import LengthUnit
 from sightline.export.report.crest import crest_sentence, question_of
 from sightline.results.sightdistance.service import case_of, exact_height, height_of_rule
-from sightline.studies.records import StudyRule
+from sightline.statistics.rules import RuleToday
 
 
-def consequence(rules: Sequence[StudyRule], unit: LengthUnit) -> str | None:
+def consequence(rules: Sequence[RuleToday], unit: LengthUnit) -> str | None:
     """Of the first standard with rules for eye and object on heights of the study; where too few, that."""
-    known = [one.rule for one in rules if one.rule.n]
+    known = [one for one in rules if one.n]
     eyes = {one.standard.name: one for one in known if one.standard.what == "eye_car"}
     objects = {one.standard.name: one for one in known if one.standard.what == "object_stopping"}
     name = next((one for one in eyes if one in objects), None)

@@ -6,7 +6,8 @@ from typing import get_args
 from sightline.enums import ComparisonVerdict, RuleVerdict
 from sightline.export.statistics_rows import INTERVAL, INTERVAL_M, REASON, TOTAL_M
 from sightline.infra.csv_package.columns import flag, integer, metres, number, text
-from sightline.infra.csv_package.schema import Cells, Column, Table
+from sightline.infra.csv_package.schema import CODE, Cell, Cells, Column, Table
+from sightline.results.survey_statistics import RULE_OF
 from sightline.statistics.figures import TotalFigure
 from sightline.studies.records import Study
 
@@ -133,7 +134,7 @@ def study_rows(study: Study) -> dict[str, Iterator[Cells]]:
         YEARS.path: _years(study),
         ERRORS.path: _errors(study),
         CLASSES.path: _classes(study),
-        PLANS.path: ({name: getattr(one, name) for name in PLANS.header} for one in study.plans),
+        PLANS.path: (_cells_of(PLANS, one) for one in study.plans),
     }
 
 
@@ -160,33 +161,31 @@ def _figures(study: Study) -> Iterator[Cells]:
 
 
 def _rules(study: Study) -> Iterator[Cells]:
-    for of in study.rules:
-        rule = of.rule
-        yield {
-            "target": of.target,
-            "standard": rule.standard.name,
-            "what": rule.standard.what,
-            "percent": rule.standard.percent,
-            "vehicle_class": rule.standard.vehicle_class,
-            "by_class": rule.by_class,
-            "n": rule.n,
-            "standard_m": rule.standard.height_m,
-            "value_m": rule.value_m,
-            "low_m": rule.U95_low_m,
-            "high_m": rule.U95_high_m,
-            "difference_m": rule.difference_m,
-            "lower": rule.lower,
-            "risk": rule.risk,
-            "verdict": rule.verdict,
-            "reason": rule.reason,
-        }
+    for rule in study.rules:
+        standard = rule.standard
+        yield _cells_of(
+            RULES,
+            rule,
+            target=RULE_OF[standard.what][0],
+            standard=standard.name,
+            what=standard.what,
+            percent=standard.percent,
+            vehicle_class=standard.vehicle_class,
+            standard_m=standard.height_m,
+            low_m=rule.U95_low_m,
+            high_m=rule.U95_high_m,
+        )
 
 
 def _years(study: Study) -> Iterator[Cells]:
-    plain = [column.name for column in YEARS.columns if column.of is None and column.name != "figure"]
     for one in study.years:
-        figure = "mean" if one.percent is None else "percentile"
-        yield {**{name: getattr(one, name) for name in plain}, "figure": figure, "reason": one.reason}
+        yield _cells_of(YEARS, one, figure="mean" if one.percent is None else "percentile")
+
+
+def _cells_of(table: Table, record: object, **also: Cell) -> Cells:
+    """A row: `also`, and what the record has under the columns' names; of what is said its codes follow."""
+    names = (name for name in table.header if not name.endswith(CODE))
+    return {name: also[name] if name in also else getattr(record, name) for name in names}
 
 
 def _cells_of_figure(figure: TotalFigure, n: int, unit: str = "_m") -> Cells:

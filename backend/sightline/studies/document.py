@@ -6,9 +6,10 @@ from typing import get_args
 from sightline.enums import JsonObject, LengthUnit
 from sightline.export.report.said import speaking
 from sightline.messages import languages
+from sightline.statistics.rules import RuleToday
 from sightline.studies.consequence import consequence
 from sightline.studies.csv import RULES, TABLES, study_rows
-from sightline.studies.records import Curve, StudyRule
+from sightline.studies.records import Curve
 from sightline.studies.stored import Computed
 
 
@@ -16,8 +17,8 @@ def document_of(computed: Computed) -> JsonObject:
     """Plain JSON; the rows are those of the package, to the last digit; rules have their standard's code."""
     written = study_rows(computed.study)
     rows = {table.name: list(written[table.path]) for table in TABLES}
-    for row, of in zip(rows[RULES.name], computed.study.rules, strict=True):
-        row["standard_code"] = of.rule.standard.code
+    for row, rule in zip(rows[RULES.name], computed.study.rules, strict=True):
+        row["standard_code"] = rule.standard.code
     return {
         "heights": computed.study.heights,
         "vehicles": computed.study.vehicles,
@@ -28,7 +29,7 @@ def document_of(computed: Computed) -> JsonObject:
     }
 
 
-def _consequences(rules: Sequence[StudyRule]) -> dict[str, dict[LengthUnit, str]] | None:
+def _consequences(rules: Sequence[RuleToday]) -> dict[str, dict[LengthUnit, str]] | None:
     """The sentence by language and unit: its numbers are written as each writes them."""
     sentences: dict[str, dict[LengthUnit, str]] = {}
     for language in languages():

@@ -103,14 +103,6 @@ class PlanRow:
     U95_m: float | None
 
 
-@dataclass(frozen=True)
-class StudyRule:
-    """A standard's rule on the heights of its class in the fleet."""
-
-    target: StatisticsTarget
-    rule: RuleToday
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StudyDifference:
     """A figure of a study less that of another, metres; percent None: the mean."""
@@ -145,7 +137,8 @@ class Curve:
 @dataclass(frozen=True, kw_only=True)
 class Study:
     """Everything that comes out of a study. `counted`, `out_of_sample`: accepted heights of each survey that
-    count, and that do not, for their vehicle is not in its survey's sample.
+    count, and that do not, for their vehicle is not in its survey's sample. `rules`: of standards, on the
+    heights of their class in the fleet.
     """
 
     surveys: list[StudiedSurvey]
@@ -157,7 +150,7 @@ class Study:
     errors: list[ErrorFigure] = field(default_factory=list)
     classes: list[ClassShare]
     plans: list[PlanRow] = field(default_factory=list)
-    rules: list[StudyRule] = field(default_factory=list)
+    rules: list[RuleToday] = field(default_factory=list)
     years: list[YearRow] = field(default_factory=list)
     curves: list[Curve] = field(default_factory=list)
     notes: list[Said]

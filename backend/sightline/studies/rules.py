@@ -5,24 +5,22 @@ from collections.abc import Collection, Sequence
 import numpy as np
 
 from sightline.enums import StatisticsTarget
-from sightline.messages.said import Said
 from sightline.results.survey_statistics import RULE_OF
-from sightline.statistics.rules import rule_today, unknown_rule
+from sightline.statistics.rules import RuleToday, rule_today
 from sightline.statistics.standards import Standard
 from sightline.statistics.total_uncertainty import TotalUncertainty
-from sightline.studies.records import StudyRule
 from sightline.studies.weighted import Weighted
 
 
 def rules_of_all(
     target: StatisticsTarget, of: Weighted, figures: TotalUncertainty | None, standards: Sequence[Standard]
-) -> dict[int, StudyRule]:
+) -> dict[int, RuleToday]:
     """The rule of every standard that states one for this target and whose class is that of all heights, or
     where no class is known, by the standard's place among them. figures: of all heights.
     """
     known = bool(np.any(of.rows.category >= 0))
     return {
-        n: _make_rule(target, one, of, figures, known)
+        n: _make_rule(one, of, figures, known)
         for n, one in _standards_of_target(target, standards).items()
         if not known or of.rows.of_classes(*RULE_OF[one.what][1]).all()
     }
@@ -30,7 +28,7 @@ def rules_of_all(
 
 def rules_of_classes(
     target: StatisticsTarget, of: Weighted, standards: Sequence[Standard], made: Collection[int]
-) -> dict[int, StudyRule]:
+) -> dict[int, RuleToday]:
     """The other rules, each on the heights of its class, by the standard's place; figures of one class at a
     time, for they are as large as those of all. made: those that are there.
     """
@@ -41,7 +39,7 @@ def rules_of_classes(
         figures = None if own.design is None else own.figures()
         for n, one in waiting.items():
             if RULE_OF[one.what][1] == classes:
-                rules[n] = _make_rule(target, one, own, figures, True)
+                rules[n] = _make_rule(one, own, figures, True)
         del own, figures
     return rules
 
@@ -55,17 +53,8 @@ def _standards_of_target(target: StatisticsTarget, standards: Sequence[Standard]
 
 
 def _make_rule(
-    target: StatisticsTarget,
-    standard: Standard,
-    of: Weighted,
-    figures: TotalUncertainty | None,
-    by_class: bool,
-) -> StudyRule:
-    if figures is None:
-        none = Said("stat-none-of-class")
-        return StudyRule(
-            target, unknown_rule(standard, of.n, by_class, None, (of.reason if of.n else None) or none)
-        )
-    found = rule_today(standard, figures, by_class)
+    standard: Standard, of: Weighted, figures: TotalUncertainty | None, by_class: bool
+) -> RuleToday:
+    found = rule_today(standard, figures, by_class, of.n, of.reason if of.n else None)
     assert found is not None  # only standards that state a percentile are asked for
-    return StudyRule(target, found)
+    return found

@@ -18,11 +18,10 @@ from sightline.results.measured_columns_query import Heights
 from sightline.results.standards_store import joined_standards
 from sightline.statistics.figures import TotalFigure
 from sightline.statistics.standards import Standard
-from sightline.statistics.study_plan import Components, U95_of, plan
+from sightline.statistics.study_plan import U95_of, plan
 from sightline.statistics.survey_design import weighting_effect
 from sightline.statistics.total_uncertainty import TotalUncertainty
 from sightline.studies.beside import difference_in_cells, no_difference
-from sightline.studies.places import Places, places_of
 from sightline.studies.records import (
     Curve,
     Fleet,
@@ -35,7 +34,7 @@ from sightline.studies.records import (
 )
 from sightline.studies.rules import rules_of_all, rules_of_classes
 from sightline.studies.shares import class_shares, error_figures
-from sightline.studies.weighted import Weighted, refuse_fleet, weight_heights
+from sightline.studies.weighted import Places, Weighted, places_of, refuse_fleet, weight_heights
 
 TARGETS: tuple[StatisticsTarget, ...] = get_args(StatisticsTarget)
 PERCENTS = (2.5, 5.0, 10.0, 15.0, 50.0, 85.0, 90.0, 95.0, 97.5)
@@ -189,20 +188,18 @@ def _plans(
     told = figures.components(_PLANNED_PERCENT)
     if told is None:
         return []
-    components = Components(told.sampling_m, told.between_m, told.common_m, sites_there)
-    plan_rows = []
-    for sites, vehicles in plan(components, _PLANNED_SITES, goal_m):
-        plan_rows.append(
-            PlanRow(
-                target=target,
-                percent=_PLANNED_PERCENT,
-                goal_U95_m=goal_m,
-                sites=sites,
-                vehicles_each=vehicles,
-                U95_m=None if vehicles is None else U95_of(components, sites, vehicles),
-            )
+    components = replace(told, sites_there=sites_there)
+    return [
+        PlanRow(
+            target=target,
+            percent=_PLANNED_PERCENT,
+            goal_U95_m=goal_m,
+            sites=sites,
+            vehicles_each=vehicles,
+            U95_m=None if vehicles is None else U95_of(components, sites, vehicles),
         )
-    return plan_rows
+        for sites, vehicles in plan(components, _PLANNED_SITES, goal_m)
+    ]
 
 
 def _years(

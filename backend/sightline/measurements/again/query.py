@@ -69,6 +69,7 @@ class Alike:
 
     count: int
     named: str = ""
+    in_line_scan: bool = False
     target: Target
     facts: Facts
     has_height: bool = True
@@ -115,6 +116,7 @@ def group_alike(session: Session, survey_id: int) -> Iterator[Alike]:
             Alike,
             row._mapping,
             facts=record_of(Facts, row._mapping, pose_id=row.of_pose),
+            in_line_scan=False,
             side=driver_side(row.driver_side, row.direction, survey.traffic),
             insets=survey.insets,
         )

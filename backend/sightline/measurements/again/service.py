@@ -67,7 +67,7 @@ def measurements_out_of_date(session: Session, survey_id: int) -> OutOfDate:
 def count_out_of_date(groups: Iterable[Alike]) -> OutOfDate:
     """How many heights follow from other facts than hold now."""
     causes: Counter[ComputingCause] = Counter()
-    heights = waiting = other_program = 0
+    heights = in_line_scans = waiting = other_program = 0
     named: dict[int, tuple[ComputingCause, ...]] = {}
     for group in groups:
         reasons = causes_now(
@@ -80,6 +80,7 @@ def count_out_of_date(groups: Iterable[Alike]) -> OutOfDate:
         )
         if reasons:
             heights += group.count
+            in_line_scans += group.count if group.in_line_scan else 0
             waiting += 0 if group.has_height else group.count
             causes.update(dict.fromkeys(reasons, group.count))
             named |= {int(one): reasons for one in group.named.split(",") if one}
@@ -87,7 +88,7 @@ def count_out_of_date(groups: Iterable[Alike]) -> OutOfDate:
             other_program += group.count
     return OutOfDate(
         heights=heights,
-        in_line_scans=0,
+        in_line_scans=in_line_scans,
         waiting=waiting,
         other_program=other_program,
         causes=dict(causes),

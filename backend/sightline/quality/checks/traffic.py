@@ -16,7 +16,6 @@ from sightline.geometry.traffic import (
     headings_of_pairs,
     summary_of_headings,
 )
-from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.measurements.click_context_query import click_context
 from sightline.measurements.height_of_clicks import DEFAULT_SIGMA_PX
@@ -82,16 +81,8 @@ class PoseCheck(PoseFindings):
     recordings: tuple[Recording, ...]
 
 
-@dataclass(frozen=True)
-class _Told:
-    """One vehicle's contacts or two-frame clicks before they are computed with a pose."""
-
-    vehicle_id: int
-    number: int
-    recording_id: int
-    frame: int
-    source: DirectionSource
-    found: Heading | Said
+#: A vehicle, and the direction that its contacts or two-frame clicks give.
+_Told = tuple[VehicleHeading, Heading | Said]
 
 
 def check_traffic(session: Session, survey_id: int) -> tuple[PoseCheck, ...]:
@@ -145,12 +136,11 @@ def check_pose(
     headings = _headings(
         pose, [v for v in passes if v.recording_id in ids], [p for p in pairs if p.recording_id in ids]
     )
-    good = [one.found for one in headings if isinstance(one.found, Heading)]
+    good = [found for _, found in headings if isinstance(found, Heading)]
     summary = summary_of_headings(pose, good)
     used = iter(summary.used if isinstance(summary, Headings) else [True] * len(good))
     shown = tuple(
-        _vehicle_heading(one, bool(next(used)) if isinstance(one.found, Heading) else False)
-        for one in headings
+        _vehicle_heading(of, found, isinstance(found, Heading) and bool(next(used))) for of, found in headings
     )
     stored = get_pose(session, pose_id)
     check = PoseCheck(
@@ -186,32 +176,20 @@ def _headings(pose: RoadPose, passes: Sequence[VehicleSheet], pairs: Sequence[Wh
     solved = headings_of_pairs(
         pose, [one.first for one in pairs], [one.second for one in pairs], DEFAULT_SIGMA_PX
     )
-    by_vehicle = {
-        pair.vehicle_id: _Told(
-            vehicle_id=pair.vehicle_id,
-            number=pair.vehicle_number,
-            recording_id=pair.recording_id,
-            frame=pair.frame,
-            source="tyres",
-            found=one,
+    by_vehicle: dict[int, _Told] = {}
+    for pair, found in zip(pairs, solved, strict=True):
+        of = VehicleHeading(
+            pair.vehicle_id, pair.vehicle_number, pair.recording_id, pair.frame, "tyres", used=False
         )
-        for pair, one in zip(pairs, solved, strict=True)
-    }
+        by_vehicle[of.vehicle_id] = of, found
     for vehicle in passes:
-        if vehicle.id in by_vehicle and isinstance(by_vehicle[vehicle.id].found, Heading):
+        if vehicle.id in by_vehicle and isinstance(by_vehicle[vehicle.id][1], Heading):
             continue
         best = _from_frames(pose, vehicle.measurements)
         if best is not None:
-            frame, heading = best
-            by_vehicle[vehicle.id] = _Told(
-                vehicle_id=vehicle.id,
-                number=vehicle.number,
-                recording_id=vehicle.recording_id,
-                frame=frame,
-                source="two_frames",
-                found=heading,
-            )
-    return sorted(by_vehicle.values(), key=lambda one: one.number)
+            place = vehicle.id, vehicle.number, vehicle.recording_id, best[0]
+            by_vehicle[vehicle.id] = VehicleHeading(*place, "two_frames", used=False), best[1]
+    return sorted(by_vehicle.values(), key=lambda told: told[0].number)
 
 
 def _from_frames(pose: RoadPose, made: Sequence[Measurement]) -> tuple[int, Heading] | None:
@@ -230,12 +208,17 @@ def _from_frames(pose: RoadPose, made: Sequence[Measurement]) -> tuple[int, Head
     return best
 
 
-def _vehicle_heading(heading: _Told, used: bool) -> VehicleHeading:
-    if isinstance(heading.found, Said):
-        return filled_from(VehicleHeading, heading, used=False, reason=heading.found)
-    reason = None if used else Said("heading-outlier")
-    u = heading.found.u_heading_rad
-    return filled_from(VehicleHeading, heading, heading.found, used=used, u_heading_rad=u, reason=reason)
+def _vehicle_heading(of: VehicleHeading, found: Heading | Said, used: bool) -> VehicleHeading:
+    if isinstance(found, Said):
+        return replace(of, reason=found)
+    return replace(
+        of,
+        used=used,
+        heading_rad=found.heading_rad,
+        u_heading_rad=found.u_heading_rad,
+        base_m=found.base_m,
+        reason=None if used else Said("heading-outlier"),
+    )
 
 
 def _verdict(headings: Headings, changes: Changes) -> tuple[Said, ...]:

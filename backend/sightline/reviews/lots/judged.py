@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from sightline.enums import LotLeaving, LotRole, ReviewVerdict
+from sightline.infra.by_name import filled_from
 from sightline.reviews.lots.records import LotItem
 
 
@@ -46,26 +47,22 @@ def items_of(found: Iterable[ItemNow], sample_size: int) -> tuple[LotItem, ...]:
         why = None if conforming is not None else _left(drawn, standing)
         if why is None and taken < sample_size:
             taken += 1
-            out.append(_item(drawn, "sample", conforming))
+            out.append(lot_item(drawn, "sample", conforming))
             continue
         if why is None and conforming is not None:
             why = "verdict_of_its_own"
         elif why is None and standing != drawn.revision:
             why = "measured_again"
         role: LotRole = "rest" if why is None else "left"
-        out.append(_item(drawn, role, conforming, why))
+        out.append(lot_item(drawn, role, conforming, why))
     return tuple(out)
 
 
-def _item(item: ItemNow, role: LotRole, conforming: bool | None, why: LotLeaving | None = None) -> LotItem:
-    return LotItem(
-        measurement_id=item.measurement_id,
-        revision=item.revision,
-        place=item.place,
-        role=role,
-        conforming=conforming,
-        why=why,
-    )
+def lot_item(
+    item: ItemNow, role: LotRole, conforming: bool | None = None, why: LotLeaving | None = None
+) -> LotItem:
+    """A drawn item with its part."""
+    return filled_from(LotItem, item, role=role, conforming=conforming, why=why)
 
 
 def _follow_verdicts(item: ItemNow) -> tuple[int, bool | None]:

@@ -13,9 +13,8 @@ from sightline.measurements.again.records import ComputedHeight
 from sightline.measurements.query import with_verdict
 from sightline.measurements.tables import computings, measurement_series, measurements
 from sightline.messages.said import Said
-from sightline.scans.heights.pose_store import current_line_poses
 from sightline.scans.heights.records import StoredLinePose
-from sightline.scans.heights.store import stands
+from sightline.scans.heights.store import current_line_poses, stands
 from sightline.scans.heights.tables import line_poses
 from sightline.scans.tables import scan_vehicles, scans
 from sightline.surveys.store import get_survey
@@ -48,7 +47,7 @@ def alike_lines(session: Session, survey_id: int) -> Iterator[Alike]:
         side = None if row.side is None else FoundSide(row.side, "said")
         of = {"pose_id": row.of_pose, "side_from": side and side.basis, "solved": False}
         facts_then = record_of(Facts, row._mapping, **of)
-        more = {"named": "", "has_height": True, "insets": insets}
+        more = {"named": "", "in_line_scan": True, "has_height": True, "insets": insets}
         yield record_of(Alike, row._mapping, facts=facts_then, side=side, **more)
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from sightline.enums import KnownLength
 from sightline.infra.database import Session
 from sightline.linescan.parts import Gap, Rig
 from sightline.scans.clock import Passing, ScanClock, passing_of
@@ -11,9 +12,8 @@ from sightline.scans.references.records import StoredReference
 from sightline.scans.references.service import beside_ours
 from sightline.scans.references.store import standing_references, standing_references_of
 from sightline.scans.store import get_scan
-from sightline.scans.vehicles.measurement_store import scan_measurement_history
+from sightline.scans.vehicles.measurement_store import scan_measurement_history, scan_reviews_of_vehicle
 from sightline.scans.vehicles.motion import gaps_of, motion_of
-from sightline.scans.vehicles.review_store import scan_reviews_of_vehicle
 from sightline.scans.vehicles.store import get_scan_vehicle, list_scan_vehicles
 from sightline.statistics.references import Agreement
 
@@ -36,17 +36,11 @@ class ShownVehicle:
         measured = self.vehicle.measurement
         return beside_ours(None if measured is None else measured.values, reference.values)
 
-    @property
-    def length_error_m(self) -> float | None:
-        """Measured minus the maker's length; None where either is missing."""
+    def error_m(self, of: KnownLength) -> float | None:
+        """Measured minus the maker's length or wheelbase; None where either is missing."""
         values = self.vehicle.measurement and self.vehicle.measurement.values
-        return _difference(values.length_m if values else None, self.vehicle.true_length_m)
-
-    @property
-    def wheelbase_error_m(self) -> float | None:
-        """Measured minus the maker's wheelbase; None where either is missing."""
-        values = self.vehicle.measurement and self.vehicle.measurement.values
-        return _difference(values.wheelbase_m if values else None, self.vehicle.true_wheelbase_m)
+        measured, true = getattr(values, f"{of}_m", None), getattr(self.vehicle, f"true_{of}_m")
+        return None if measured is None or true is None else float(measured - true)
 
 
 @dataclass(frozen=True)
@@ -107,7 +101,3 @@ def _passing(clock: ScanClock | None, vehicle: ScanVehicle) -> Passing | None:
         return None
     values = vehicle.measurement.values
     return passing_of(clock, values.front_line_1, values.speed_mps, values.u_length_m, values.rig)
-
-
-def _difference(measured: float | None, true: float | None) -> float | None:
-    return None if measured is None or true is None else measured - true
