@@ -7,6 +7,7 @@ Rows go through the program's own tables. Between the two lie the files that COP
 import re
 from collections.abc import Callable, Iterator, Mapping
 from datetime import datetime
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -77,7 +78,8 @@ def fill_sqlite(
         try:
             # a migration may have put rows of its own there, which are among those that were copied
             connection.execute(table.delete())
-            for some in _in_pieces(_read_rows(folder / f"{table.name}{ENDING}", columns)):
+            rows = _read_rows(folder / f"{table.name}{ENDING}", columns)
+            while some := list(islice(rows, _AT_ONCE)):
                 connection.execute(insert(bare), some)
         except (DatabaseError, ValueError) as error:
             raise Damaged("backup-rows-misfit", name=table.name) from error
@@ -145,14 +147,3 @@ def _read_cell(cell: str, column: Column[Any]) -> object:
             return datetime.fromisoformat(cell)
         case _:
             return _ESCAPED.sub(lambda found: _MEANT.get(found[1], found[1]), cell)
-
-
-def _in_pieces(rows: Iterator[dict[str, object]]) -> Iterator[list[dict[str, object]]]:
-    some: list[dict[str, object]] = []
-    for row in rows:
-        some.append(row)
-        if len(some) == _AT_ONCE:
-            yield some
-            some = []
-    if some:
-        yield some
