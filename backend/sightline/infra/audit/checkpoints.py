@@ -99,7 +99,8 @@ def checkpoint_problem(document: Mapping[str, Any], chain: str, end: AuditHead) 
         if document["format"] != FORMAT or not is_signed(document):
             return Damaged("export-checkpoint-signature")
         found = root_by_path(chain, end, document["place"], document["chains"], document["path"])
-        if document["leaf"] != leaf or found != document["root"] or not _is_lower(document["path"]):
+        lower = all(step == step.lower() for step in document["path"])
+        if document["leaf"] != leaf or found != document["root"] or not lower:
             return Damaged("export-checkpoint-other-chain")
         return None if are_handed_on(document["keys"], document["key"]) else Damaged("export-checkpoint-keys")
     except (KeyError, TypeError, ValueError):
@@ -113,10 +114,6 @@ def _is_whole(value: Any) -> bool:
     if isinstance(value, list | tuple):
         return all(_is_whole(one) for one in value)
     return not isinstance(value, float | bool)
-
-
-def _is_lower(path: Sequence[str]) -> bool:
-    return all(step == step.lower() for step in path)
 
 
 def are_handed_on(keys: Sequence[Mapping[str, Any]], last: str) -> bool:
