@@ -1,6 +1,6 @@
 """What Prometheus reads on a port of its own: requests, turns, jobs, decoder, connections."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Protocol
 from wsgiref.simple_server import WSGIServer
 
@@ -28,8 +28,8 @@ class InstallationMetrics(Collector):
         self._services, self._turns = services, turns
 
     def collect(self) -> Iterator[Metric]:
-        yield _gauge("sightline_version", "This program", "version", {code_version(): 1})
-        waiting = {name: one.waiting for name, one in self._turns.items()}
+        yield _gauge("sightline_version", "This program", "version", [(code_version(), 1)])
+        waiting = [(name, one.waiting) for name, one in self._turns.items()]
         yield _gauge("sightline_requests_waiting", "Requests that wait for their turn", "turn", waiting)
         in_use = float(getattr(self._services.engine.pool, "checkedout", int)())
         yield GaugeMetricFamily(
@@ -44,13 +44,13 @@ class InstallationMetrics(Collector):
                 counts = count_jobs(session)
         except SightlineError:
             return
-        yield _gauge("sightline_jobs", "Jobs by state", "state", counts)
+        yield _gauge("sightline_jobs", "Jobs by state", "state", counts.items())
 
 
-def _gauge(name: str, what: str, label: str, values: Mapping[str, float]) -> Metric:
+def _gauge(name: str, what: str, label: str, values: Iterable[tuple[str, float]]) -> Metric:
     """A value for each that the label tells apart."""
     gauge = GaugeMetricFamily(name, what, labels=(label,))
-    for labelled, value in values.items():
+    for labelled, value in values:
         gauge.add_metric((labelled,), value)
     return gauge
 
