@@ -74,7 +74,8 @@ def fill_sqlite(
     for number, table in enumerate(ours := [table for table in _tables() if table.name in tables]):
         tell(number / len(ours))
         columns = [table.c[name] for name in tables[table.name].columns]
-        bare = Table(table.name, MetaData(), *map(_copy_column, columns))
+        kinds = [Text() if isinstance(one.type, CanonicalJson) else one.type for one in columns]
+        bare = Table(table.name, MetaData(), *map(Column, tables[table.name].columns, kinds))
         try:
             # a migration may have put rows of its own there, which are among those that were copied
             connection.execute(table.delete())
@@ -95,10 +96,6 @@ def _tables() -> list[Table]:
 def _select_as_text(column: Column[Any]) -> Any:
     """JSON as the text that is stored, to the bit."""
     return type_coerce(column, Text()) if isinstance(column.type, CanonicalJson) else column
-
-
-def _copy_column(column: Column[Any]) -> Column[Any]:
-    return Column(column.name, Text() if isinstance(column.type, CanonicalJson) else column.type)
 
 
 def _counter(connection: Connection, table: Table) -> dict[str, tuple[int, bool]]:
