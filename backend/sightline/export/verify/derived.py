@@ -76,8 +76,8 @@ def _compare(files: Files, table: Table, rows: Iterable[Row]) -> int:
 
 
 def _line_differs(path: str, at: int, name: str, told: str, found: str) -> Damaged:
-    values = {"told": told or "nothing", "found": found or "nothing"}
-    return Damaged("export-line-differs", path=path, at=at, name=name, **values)
+    told, found = told or "nothing", found or "nothing"
+    return Damaged("export-line-differs", path=path, at=at, name=name, told=told, found=found)
 
 
 class AsOf:
