@@ -25,7 +25,6 @@ from sightline.proposals.propose import (
     FrameSeen,
     Proposals,
     Proposed,
-    _Base,
     _Best,
     propose_points,
 )
@@ -160,7 +159,7 @@ def test_what_an_error_up_comes_to_in_pixels_follows_the_distance_along_the_came
         places={"roof": place},
         ahead=1,
     )
-    found = best.target("roof", cast(FrameSeen, one), _Base(tuple(seen_at(x_m, 0.0, 0.0)), 1.0))
+    found = best.target("roof", cast(FrameSeen, one), Proposed(tuple(seen_at(x_m, 0.0, 0.0)), 1.0, None))
     assert isinstance(found, Proposed)
     drawn = [seen_at(x_m, 0.0, z) for z in np.random.default_rng(1).normal(1.4, 0.004, 4000)]
     spread = TRUST["roof"] * np.std(drawn, axis=0)[1]

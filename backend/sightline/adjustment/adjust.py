@@ -151,7 +151,7 @@ def adjust(
         chi2=fit.solution.chi2,
         degrees_of_freedom=freedom,
         chi2_limit=limit,
-        moved=_list_moved_parts(shared, fit),
+        moved=_moved_by(shared, fit.solution.z, fit.solution.covariance),
         heading_rad=heading,
         u_heading_rad=u_heading,
         notes=_notes(shared, fit, int((~out).sum()), freedom, limit),
@@ -250,38 +250,31 @@ def _fold_board_into_covariance(pose: RoadPose, covariance: Floats) -> RoadPose:
     return replace(pose, camera=camera, board=board, covariance=covariance)
 
 
-def _prior_root(shared: SharedErrors) -> Floats:
-    return shared.root @ shared.root.T
-
-
-def _list_moved_parts(shared: SharedErrors, found: Cleaned) -> tuple[Moved, ...]:
+def _moved_by(shared: SharedErrors, z: Floats, covariance: Floats) -> tuple[Moved, ...]:
     """The parts by name, what they and the pose come to (the camera's height above the road, the road's turn
     about X and about Y), then lens and pose.
     """
-    return _moved_by(shared, found.solution.z, found.solution.covariance)
-
-
-def _moved_by(shared: SharedErrors, z: Floats, covariance: Floats) -> tuple[Moved, ...]:
     first, u = shared.first_part, np.sqrt(np.diag(covariance))
     out = [
         _entry(part.name, part.u * float(z[first + i]), part.u, part.u * float(u[first + i]), part.of_m)
         for i, part in enumerate(shared.parts)
     ]
     increments = shared.root @ z
-    before, after = _prior_root(shared), shared.root @ covariance @ shared.root.T
+    before, after = shared.root @ shared.root.T, shared.root @ covariance @ shared.root.T
     up = np.concatenate([np.zeros(len(before) - 3), -shared.pose.rotation[:, 2]])
     height = moved_pose(shared.pose, increments).centre_m[2] - shared.pose.centre_m[2]
     out.append(_entry("camera_height_m", float(height), _along(up, before), _along(up, after)))
-    for name, axis in (("road_lean_rad", 0), ("road_roll_rad", 1)):
-        turn = np.concatenate([np.zeros(len(before) - 6), shared.pose.rotation[:, axis], np.zeros(3)])
-        out.append(_entry(name, float(turn @ increments), _along(turn, before), _along(turn, after)))
+    lean, roll = (
+        np.concatenate([np.zeros(len(before) - 6), shared.pose.rotation[:, axis], np.zeros(3)])
+        for axis in (0, 1)
+    )
     names = (*shared.pose.camera.parameters, *(f"{n}_{'rad' if n[0] == 'r' else 'm'}" for n in POSE_NAMES))
-    for i, name in enumerate(names):
-        out.append(
-            _entry(
-                name, float(increments[i]), float(before[i, i]) ** 0.5, float(max(after[i, i], 0.0)) ** 0.5
-            )
-        )
+    for name, by in (
+        ("road_lean_rad", lean),
+        ("road_roll_rad", roll),
+        *zip(names, np.eye(len(before)), strict=True),
+    ):
+        out.append(_entry(name, float(by @ increments), _along(by, before), _along(by, after)))
     return tuple(out)
 
 
@@ -327,7 +320,7 @@ def _unchanged(shared: SharedErrors, passes: int, left_out: list[LeftOut]) -> Ad
     """Nothing is known of the vehicles: the pose as it was, its board's budget in its covariance."""
     identity = np.eye(shared.size)
     return Adjustment(
-        pose=_fold_board_into_covariance(shared.pose, _prior_root(shared)),
+        pose=_fold_board_into_covariance(shared.pose, shared.root @ shared.root.T),
         passes=passes,
         used=0,
         left_out=tuple(left_out),

@@ -14,7 +14,7 @@ from sightline.cameras.calibrations.store import add_calibration
 from sightline.cameras.store import add_calibration_image, create_camera
 from sightline.demo.clicks import TARGETS, Pass, judge, measure, with_fates
 from sightline.demo.made import SceneTruth, catalogue, truth
-from sightline.demo.parts import LabPicture, Parts, Video, make_parts
+from sightline.demo.parts import Film, LabPicture, Parts, make_parts
 from sightline.demo.repeats import click_again
 from sightline.demo.scan import store_scan
 from sightline.demo.wheels import click_wheels
@@ -26,7 +26,6 @@ from sightline.infra.jobs import registry
 from sightline.infra.web.person import Person
 from sightline.messages.said import Said
 from sightline.people.store import create_person, person_by_email, update_person
-from sightline.poses.records import SolvedPose
 from sightline.poses.store import add_pose
 from sightline.recordings.drift_request import request_if_posed
 from sightline.recordings.filming import Filming
@@ -119,8 +118,17 @@ def build(session: Session, parts: Parts) -> int:
     camera_id, calibration_id = _camera(session, survey.id, parts)
     chosen: list[Pass] = []
     for number, (video, solved) in enumerate(zip(parts.videos, parts.poses, strict=True)):
-        recording_id = _recording(session, survey.id, camera_id, video)
-        _pose(session, recording_id, calibration_id, video, solved)
+        facts: RecordingChanges = {**FILMED[video.truth.lighting], "lighting": video.truth.lighting}
+        recording_id = add_film(session, survey.id, camera_id, video, facts)
+        add_pose(
+            session,
+            recording_id,
+            calibration_id=calibration_id,
+            first_frame=0,
+            last_frame=video.truth.board.last_frame,
+            **solved,
+            actor=None,
+        )
         passes = _vehicles(session, recording_id, number, video.truth, operator.id)
         # the last one is left to try with; those by day show faults too
         chosen += with_fates(passes[:-1], faults=video.truth.lighting == "daytime")
@@ -178,33 +186,21 @@ def _lab_image(session: Session, camera_id: int, picture: LabPicture) -> Detecte
     return DetectedView(view.name, view.corners, view.size, image_id=image.id)
 
 
-def _recording(session: Session, survey_id: int, camera_id: int, video: Video) -> int:
+def add_film(session: Session, survey_id: int, camera_id: int, film: Film, facts: RecordingChanges) -> int:
+    """A film as a recording that is ready, with what a person says of it; its id."""
     recording = create_recording(
         session,
         survey_id,
-        name=video.truth.video,
-        media_key=video.media_key,
-        sha256=video.sha256,
-        size_bytes=video.size_bytes,
+        name=film.name,
+        media_key=film.media_key,
+        sha256=film.sha256,
+        size_bytes=film.size_bytes,
         camera_id=camera_id,
         actor=None,
     )
-    note_ingested(session, recording.id, facts_of(video.found, None), table_of(video.found), actor=None)
-    facts: RecordingChanges = {**FILMED[video.truth.lighting], "lighting": video.truth.lighting}
+    note_ingested(session, recording.id, facts_of(film.found, None), table_of(film.found), actor=None)
     update_recording(session, recording.id, facts, actor=None)
     return recording.id
-
-
-def _pose(session: Session, recording_id: int, calibration_id: int, video: Video, solved: SolvedPose) -> None:
-    add_pose(
-        session,
-        recording_id,
-        calibration_id=calibration_id,
-        first_frame=0,
-        last_frame=video.truth.board.last_frame,
-        actor=None,
-        **solved,
-    )
 
 
 def _vehicles(session: Session, recording_id: int, video: int, scene: SceneTruth, actor: int) -> list[Pass]:

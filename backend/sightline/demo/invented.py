@@ -19,9 +19,11 @@ from numpy.typing import NDArray
 from sightline.arrays import Floats
 from sightline.cameras.calibrations.store import add_calibration
 from sightline.cameras.store import create_camera
-from sightline.demo.build import OPERATOR, PLACE, REVIEWER, TRAFFIC, demo_person
+from sightline.demo.build import OPERATOR, PLACE, REVIEWER, TRAFFIC, add_film, demo_person
+from sightline.demo.clicks import CLICK_NOISE_PX, scatter_click
 from sightline.demo.made import Model, truth
-from sightline.enums import AskedTarget, Lighting, LotGrouping, Point
+from sightline.demo.parts import Film, store_film
+from sightline.enums import AskedTarget, Lighting, LotGrouping
 from sightline.geometry.camera import Camera, project
 from sightline.geometry.documents import camera_to_dict
 from sightline.geometry.insets import USUAL_INSETS, inset_name
@@ -31,16 +33,12 @@ from sightline.infra.jobs import registry
 from sightline.infra.services import Services
 from sightline.measurements.bulk_service import NewHeight, store_measurements
 from sightline.measurements.records import Clicks
-from sightline.media.store.local import key_of, sha256_of
-from sightline.media.video.ingest import Ingested, ingest
 from sightline.media.video.writer import write_mp4
 from sightline.messages.said import Said
 from sightline.poses.service import describe_pose
 from sightline.poses.store import add_pose
 from sightline.recordings.filming import Filming
-from sightline.recordings.ingest_job import facts_of, pack_thumbnails, table_of, thumbnails_key_of
 from sightline.recordings.records import RecordingChanges
-from sightline.recordings.store import create_recording, note_ingested, update_recording
 from sightline.reviews.lots.service import accept_lot, draw_lots, lots_with_items, planned_lots
 from sightline.reviews.lots.store import get_lot, waiting_measurements
 from sightline.reviews.plan_store import choose_review_plan
@@ -65,7 +63,7 @@ DESCRIPTION = (
 JOINED = "Simulated study of four invented sites"
 #: What the fleet is said to be; its few lorries, whose roofs no camera here sees whole, do not count.
 FLEET_CSV = "category,share\nhatchback,0.38\nsaloon,0.16\nestate,0.11\nsuv,0.28\nvan,0.07\nlorry,0\n"
-CLICK_NOISE_PX, FPS = 0.7, 25
+FPS = 25
 WIDTH_PX, HEIGHT_PX, FOCAL_PX = 640, 360, 450.0
 # u of the lens and of the road pose, in the order of the pose's parameters: px, radians, metres.
 _U_FOCAL_PX, _U_CENTRE_PX, _U_TURN, _U_MOVE_M = 0.4, 0.2, 0.0008, 0.002
@@ -139,17 +137,6 @@ SITES = (
         fleet={"hatchback": 0.28, "saloon": 0.22, "estate": 0.16, "suv": 0.26, "van": 0.05, "lorry": 0.03},
     ),
 )
-
-
-@dataclass(frozen=True, eq=False)
-class Film:
-    """A recording's stand-in, stored: one labelled picture for each vehicle."""
-
-    name: str
-    media_key: str
-    sha256: str
-    size_bytes: int
-    found: Ingested
 
 
 def make(context: registry.JobContext) -> registry.Outcome:
@@ -229,33 +216,22 @@ def store_site(session: Session, site: Site, films: dict[Lighting, Film]) -> int
         actor=None,
     )
     for lighting, film in films.items():
-        recording = create_recording(
-            session,
-            survey.id,
-            name=film.name,
-            media_key=film.media_key,
-            sha256=film.sha256,
-            size_bytes=film.size_bytes,
-            camera_id=camera.id,
-            actor=None,
-        )
-        note_ingested(session, recording.id, facts_of(film.found, None), table_of(film.found), actor=None)
         facts: RecordingChanges = {
             "lighting": lighting,
             "weather": "clear, simulated",
             **_filmed(site, lighting),
         }
-        update_recording(session, recording.id, facts, actor=None)
+        recording_id = add_film(session, survey.id, camera.id, film, facts)
         found = describe_pose(disturb_pose(true, rng), np.zeros((0, 2)))
         found |= {"rms_px": None, "distance_m": site.distance_m}
         found["summary"].insert(0, Said("pose-simulated"))
         add_pose(
-            session, recording.id, calibration_id=lens.id, first_frame=0, last_frame=0, actor=None, **found
+            session, recording_id, calibration_id=lens.id, first_frame=0, last_frame=0, actor=None, **found
         )
         fresh = [
             one
             for n in range(site.count(lighting))
-            for one in _vehicle(session, recording.id, true, n, _model(site, rng), lighting, rng, operator)
+            for one in _vehicle(session, recording_id, true, n, _model(site, rng), lighting, rng, operator)
         ]
         waiting = [one for one in fresh if one.clicks.frame % _OPEN_ONE_IN == 0]
         others = [one for one in fresh if one.clicks.frame % _OPEN_ONE_IN]
@@ -382,21 +358,16 @@ def _clicks(
         inset_m = rng.normal(usual, u)
         height_m = heights[target] + rng.normal(0.0, _SPREAD_M[target])
         there = np.array([[along_m, side_m, 0.0], [along_m + 0.3, side_m + inset_m, height_m]])
-        contact, point = project(true.camera, true.to_camera(there))
+        contact, point = project(true.camera, true.to_camera(there)).tolist()
         if not (0 < point[1] < HEIGHT_PX - 1 and 0 < contact[1] < HEIGHT_PX - 1):
             continue  # a lorry's roof, above the picture
         yield Clicks(
             target=target,
             frame=n,
-            contact=_scatter_click(contact, rng),
-            target_point=_scatter_click(point, rng),
+            contact=scatter_click(contact, rng),
+            target_point=scatter_click(point, rng),
             sigma_px=CLICK_NOISE_PX,
         )
-
-
-def _scatter_click(point: Floats, rng: Rng) -> Point:
-    x, y = point + rng.normal(0.0, CLICK_NOISE_PX, 2)
-    return round(float(x), 2), round(float(y), 2)
 
 
 def _filmed(site: Site, lighting: Lighting) -> RecordingChanges:
@@ -412,14 +383,7 @@ def _film(services: Services, site: Site, lighting: Lighting) -> Film:
     with tempfile.TemporaryDirectory(prefix="study-", dir=services.scratch) as folder:
         path = Path(folder) / name
         write_mp4(path, _pictures(site, lighting), FPS)
-        thumbs = Path(folder) / "thumbs"
-        ingested = ingest(path, lambda _: None, lambda: False, thumbs, work_dir=Path(folder), name=name)
-        sha256 = sha256_of(path)
-        key = key_of(sha256, path.suffix)
-        size = path.stat().st_size
-        services.media.put_file(thumbnails_key_of(sha256), pack_thumbnails(thumbs, ingested))
-        services.media.put_file(key, path)
-    return Film(name, key, sha256, size, ingested)
+        return store_film(services, path, Path(folder))
 
 
 def _pictures(site: Site, lighting: Lighting) -> Iterator[NDArray[np.uint8]]:

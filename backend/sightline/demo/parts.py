@@ -31,13 +31,20 @@ Cancelled = Callable[[], bool]
 
 
 @dataclass(frozen=True, eq=False)
-class Video:
+class Film:
     """One ingested video, already in the media store."""
 
+    name: str
     media_key: str
     sha256: str
     size_bytes: int
     found: Ingested
+
+
+@dataclass(frozen=True, eq=False)
+class Video(Film):
+    """One of a board and vehicles, and what is true of them."""
+
     still: BoardSeen
     truth: SceneTruth
 
@@ -93,22 +100,22 @@ def make_parts(services: Services, progress: Progress) -> Parts:
         return Parts(videos=read, lab=lab, calibration=calibration, poses=poses, scan=scan.result())
 
 
-def _video(services: Services, scene: SceneTruth, scratch: Path, is_cancelled: Cancelled) -> Video:
+def store_film(
+    services: Services, path: Path, scratch: Path, is_cancelled: Cancelled = lambda: False
+) -> Film:
     """Ingest a video and put it, with its thumbnails, into the media store, as an upload would be."""
-    path, thumbs = FOLDER / scene.video, scratch / f"thumbs-{scene.video}"
+    thumbs = scratch / f"thumbs-{path.name}"
     ingested = ingest(path, lambda _: None, is_cancelled, thumbs, work_dir=scratch, name=path.name)
     sha256 = sha256_of(path)
     key = key_of(sha256, path.suffix)
     services.media.put_file(key, path)
     services.media.put_file(thumbnails_key_of(sha256), pack_thumbnails(thumbs, ingested))
-    return Video(
-        media_key=key,
-        sha256=sha256,
-        size_bytes=path.stat().st_size,
-        found=ingested,
-        still=_board_corners(scene),
-        truth=scene,
-    )
+    return Film(path.name, key, sha256, path.stat().st_size, ingested)
+
+
+def _video(services: Services, scene: SceneTruth, scratch: Path, is_cancelled: Cancelled) -> Video:
+    film = store_film(services, FOLDER / scene.video, scratch, is_cancelled)
+    return Video(**vars(film), still=_board_corners(scene), truth=scene)
 
 
 def _board_corners(scene: SceneTruth) -> BoardSeen:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from sightline.demo.made import HeldRod, truth
-from sightline.enums import DriverSide, Target
+from sightline.enums import DriverSide
 from sightline.infra.database import Session
 from sightline.measurements.records import Clicks
 from sightline.reviews.store import add_review
@@ -36,9 +36,10 @@ def store_heights(session: Session, scan_id: int, operator: int) -> None:
             continue
         contact = _scatter_click(true.contact, rng)
         for name, spot in true.targets.items():
-            clicked = Clicks(
-                target=name, contact=contact, target_point=_scatter_click(spot, rng), side=_side(name)
-            )
+            # the operator sees the drivers of the scan on the side of the camera
+            side: DriverSide | None = "near" if name == "driver_eye" else None
+            spot = _scatter_click(spot, rng)
+            clicked = Clicks(target=name, contact=contact, target_point=spot, side=side)
             store_scan_height(session, vehicle.id, clicked, seen_revision=0, actor=operator)
 
 
@@ -49,11 +50,6 @@ def review_heights(session: Session, scan_id: int, reviewer: int) -> None:
     for one in heights:
         if one.vehicle_id in clicked[:-_WAITING]:
             add_review(session, one.id, seen_revision=one.revision, verdict="accepted", actor=reviewer)
-
-
-def _side(name: Target) -> DriverSide | None:
-    """The operator sees the drivers of the scan on the side of the camera."""
-    return "near" if name == "driver_eye" else None
 
 
 def clicked_rod(rods: Sequence[HeldRod], rng: np.random.Generator) -> Rod:

@@ -122,13 +122,13 @@ def _meeting(ways: dict[int, list[Box]]) -> list[Box]:
     for way, boxes in ways.items():
         for box in boxes:
             nearer = [other for other in ways[-way] if other.y1 > box.y1]
-            edges = tuple(i for i, at in enumerate((box.x0, box.x1)) if any(_covers(o, at) for o in nearer))
+            edges = tuple(
+                i
+                for i, at in enumerate((box.x0, box.x1))
+                if any(other.x0 - TOUCH_PX <= at <= other.x1 + TOUCH_PX for other in nearer)
+            )
             all_boxes.append(replace(box, hidden=edges))
     return all_boxes
-
-
-def _covers(box: Box, at: float) -> bool:
-    return box.x0 - TOUCH_PX <= at <= box.x1 + TOUCH_PX
 
 
 def _upright(part: NDArray[np.bool_], x: int, y: int) -> list[Box]:

@@ -7,7 +7,7 @@ seen, so pictures wait in a queue until then.
 
 from collections import deque
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -41,15 +41,6 @@ class Downsampled:
     sharp: Small
     luminance: float
     wide: Small
-
-
-@dataclass
-class _Kept:
-    """What is remembered of frames after their pictures are gone."""
-
-    sharp: dict[int, Small] = field(default_factory=dict)
-    luminance: dict[int, float] = field(default_factory=dict)
-    place: dict[int, Transform] = field(default_factory=dict)
 
 
 def downsample(n: int, gray: Small) -> Downsampled:
@@ -96,7 +87,10 @@ class PassFinder:
         self._sampler = Sampler(rate_hz / stride)
         self._tracker = Tracker(self._view.width, self._view.height, rate_hz)
         self._waiting: deque[Downsampled] = deque()
-        self._kept = _Kept()
+        # what is remembered of frames after their pictures are gone
+        self._sharp: dict[int, Small] = {}
+        self._luminance: dict[int, float] = {}
+        self._place: dict[int, Transform] = {}
         self._gain = 1.0
         self._motion = Motion()
         self._before: Small | None = None
@@ -119,7 +113,7 @@ class PassFinder:
         place = self._steadiness.place(picture.wide)
         picture = replace(picture, wide=picture.wide[:0])
         if place is not None:
-            self._kept.place[picture.n] = place
+            self._place[picture.n] = place
             picture = replace(picture, small=warp_onto_first(picture.small, place))
         self._sampler.offer(picture.small)
         self._waiting.append(picture)
@@ -143,8 +137,8 @@ class PassFinder:
             self._before = picture.small
             self._tracker.step(picture.n, boxes)
             if boxes:
-                self._kept.sharp[picture.n] = picture.sharp
-                self._kept.luminance[picture.n] = picture.luminance
+                self._sharp[picture.n] = picture.sharp
+                self._luminance[picture.n] = picture.luminance
 
     def _boxes(self, picture: Downsampled, road: Background) -> list[Box]:
         small = picture.small
@@ -172,7 +166,7 @@ class PassFinder:
             whole=whole,
             score=score_of(track, whole, self._view),
             sharpness=round(self._sharpness(best.n, best.box), 2),
-            luminance=round(self._kept.luminance.get(best.n, 0.0), 1),
+            luminance=round(self._luminance.get(best.n, 0.0), 1),
             boxes=tuple(self._box(detection) for detection in _spread_detections(track.detections, best)),
         )
 
@@ -184,14 +178,14 @@ class PassFinder:
 
     def _in_view(self, n: int, box: Box) -> bool:
         """Whether its middle lies in frame n itself: beside a picture that was moved is nothing to see."""
-        if n not in self._kept.place:
+        if n not in self._place:
             return True
         x0, y0, x1, y1 = self._as_seen(n, box)
         return 0 <= x0 + x1 <= 2 * self._view.width and 0 <= y0 + y1 <= 2 * self._view.height
 
     def _as_seen(self, n: int, box: Box) -> tuple[float, float, float, float]:
         """Where a box of the steadied picture lies on frame n itself, x0, y0, x1, y1."""
-        place = self._kept.place.get(n)
+        place = self._place.get(n)
         if place is None:
             return box.x0, box.y0, box.x1, box.y1
         w = self._view.width
@@ -199,7 +193,7 @@ class PassFinder:
         return w * x0, w * y0, w * x1, w * y1
 
     def _sharpness(self, n: int, box: Box) -> float:
-        sharp = self._kept.sharp.get(n)
+        sharp = self._sharp.get(n)
         if sharp is None:
             return 0.0
         k = sharp.shape[1] / self._view.width

@@ -60,6 +60,7 @@ from sightline.reviews.lots.verify import check_lots
 from sightline.reviews.verify import check_verdicts
 from sightline.scans.csv import TABLES as SCANS
 from sightline.scans.csv import fill_scans
+from sightline.scans.verify import check_scans
 from sightline.surveys.csv import CLASSES, INSETS, QUOTAS, SAMPLING, SURVEY
 from sightline.surveys.photographs.csv import PHOTOGRAPHS
 from sightline.surveys.photographs.verify import check_photographs
@@ -148,7 +149,11 @@ STORED = (
         lambda c: check_lots(c.files, c.told.lots, c.told.replay, c.told.measurements.of_vehicle),
     ),
     _part_of_records(FRAMES, filling.frames_clicked_on, lambda c: check_frames(c.files, c.told.measurements)),
-    Part(SCANS, lambda f: fill_scans(f.staging, f.session, f.survey.id), checking.check_line_scans),
+    Part(
+        SCANS,
+        lambda f: fill_scans(f.staging, f.session, f.survey.id),
+        lambda c: check_scans(c.files, c.told.replay, c.computings, c.recomputing, c.described.program),
+    ),
     Part(
         (PHOTOGRAPHS,),
         filling.fill_photographs,

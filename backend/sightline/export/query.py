@@ -67,8 +67,8 @@ def revision_pages(session: Session, survey_id: int) -> Iterator[list[tuple[Meas
         .order_by(measurements.c.series_id, measurements.c.revision)
     )
     of_survey = select(measurement_series.c.id).where(measurement_series.c.survey_id == survey_id)
-    for first, last in _spans(session, of_survey, measurement_series.c.id):
-        rows = session.execute(chosen.where(measurement_series.c.id.between(first, last))).all()
+    for ids in _ids(session, of_survey, measurement_series.c.id):
+        rows = session.execute(chosen.where(measurement_series.c.id.between(ids[0], ids[-1]))).all()
         revisions = tuple([measurement_of_row(row) for row in rows])
         cars = [
             OfVehicle(
@@ -143,8 +143,3 @@ def _ids(session: Session, query: Select[Any], column: Any) -> Iterator[list[int
     while found := list(session.execute(query.where(column > last).order_by(column).limit(PAGE)).scalars()):
         yield found
         last = found[-1]
-
-
-def _spans(session: Session, query: Select[Any], column: Any) -> Iterator[tuple[int, int]]:
-    for ids in _ids(session, query, column):
-        yield ids[0], ids[-1]

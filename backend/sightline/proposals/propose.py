@@ -68,14 +68,6 @@ class Proposals:
     points: Mapping[ProposedPoint, Proposed | str]
 
 
-@dataclass(frozen=True)
-class _Base:
-    """A contact as it is taken on the best frame."""
-
-    contact_px: tuple[float, float]
-    expected_px: float
-
-
 def propose_points(
     networks: Networks, frames: Sequence[FrameSeen], pose: RoadPose, direction: Direction, usual_frame: int
 ) -> Proposals | str:
@@ -155,27 +147,20 @@ class _Best:
             contacts = [self.contact(frame, name, end) for name, end in ENDS]
             if all(isinstance(contact, str) for contact in contacts):
                 return 0.0, -abs(frame.n - usual_frame)
-            found = sum(0.5 if isinstance(contact, _Base) else 0.0 for contact in contacts)
+            found = sum(0.5 if isinstance(contact, Proposed) else 0.0 for contact in contacts)
             targets = sum(not isinstance(self.pixel(name, frame), str) for name in FINE_POINTS)
             return found + targets, -abs(frame.n - usual_frame)
 
         best = max(self.seen, key=score)
-        points: dict[ProposedPoint, Proposed | str] = {}
-        bases: list[_Base] = []
-        for name, end in ENDS:
-            contact = self.contact(best, name, end)
-            if isinstance(contact, str):
-                points[name] = contact
-            else:
-                bases.append(contact)
-                points[name] = Proposed(contact.contact_px, contact.expected_px, None)
-        base = min(bases, key=lambda one: one.expected_px, default=None)
+        points = {name: self.contact(best, name, end) for name, end in ENDS}
+        contacts = [one for one in points.values() if isinstance(one, Proposed)]
+        base = min(contacts, key=lambda one: one.expected_px, default=None)
         for name in FINE_POINTS:
             points[name] = "proposals-no-contact" if base is None else self.target(name, best, base)
         points = {name: points[name] for name in POINTS}
         return Proposals(best.n, len(self.motion.used), self.motion.wheelbase_m, points)
 
-    def contact(self, frame: FrameSeen, name: ProposedPoint, end: WheelEnd) -> _Base | str:
+    def contact(self, frame: FrameSeen, name: ProposedPoint, end: WheelEnd) -> Proposed | str:
         """A wheel's contact on a frame: as found there, or where those on the other frames say that it is."""
         pair = self.found.get(frame.n)
         wheel: Wheel | None = None if pair is None else pair.rear if end == "rear" else pair.front
@@ -184,11 +169,11 @@ class _Best:
             return "proposals-wheel-on-best-frame"
         at = pixel_of(self.pose, x, self.motion.y_m, 0.0)
         if wheel is not None and np.hypot(*np.subtract(at, wheel.contact_px)) < 4.0:
-            return _Base(wheel.contact_px, wheel.expected_px)
+            return Proposed(wheel.contact_px, wheel.expected_px, None)
         look = self.looks.get(frame.n)
         if not _inside(at, frame) or look is None or look.places[name].sure < LEAST_CONTACT:
             return "proposals-wheel-on-best-frame"
-        return _Base(at, BY_MOTION_PX)
+        return Proposed(at, BY_MOTION_PX, None)
 
     def pixel(self, name: ProposedPoint, frame: FrameSeen) -> tuple[float, float] | str:
         """Where a target is on a frame, or why it is not to be clicked there."""
@@ -205,14 +190,14 @@ class _Best:
         x = wheel + self.ahead * place.along(wheel)
         return pixel_of(self.pose, x, self.motion.y_m, z_m)
 
-    def target(self, name: ProposedTarget, best: FrameSeen, base: _Base) -> Proposed | str:
+    def target(self, name: ProposedTarget, best: FrameSeen, base: Proposed) -> Proposed | str:
         """A target's place on the best frame with its predicted error, and that of its height."""
         place, at = self.places[name], self.pixel(name, best)
         if isinstance(place, str) or isinstance(at, str):
             return str(at)
         above = self._project_place(place, best, place.z_m + place.u_z_m)
         sigma = float(np.hypot(REST_PX, TRUST[name] * np.hypot(*np.subtract(above, at))))
-        height = measure_height(self.pose, base.contact_px, at, 1.0, INSETS_M[name])
+        height = measure_height(self.pose, base.point_px, at, 1.0, INSETS_M[name])
         if height.status != "ok":
             return "proposals-no-height"
         u_m = {entry.source: entry.u_m for entry in height.budget}

@@ -32,17 +32,12 @@ def plan_for_survey(
     BadInput for a calibration of another survey or numbers that cannot be planned with.
     """
     survey = get_survey(session, survey_id)
-    chosen = (
-        _make_plain_camera(camera)
-        if isinstance(camera, PlainCamera)
-        else _calibrated(session, survey_id, camera)
-    )
+    if isinstance(camera, PlainCamera):
+        chosen = plain_camera(camera.width_px, camera.height_px, radians(camera.field_of_view_deg))
+    else:
+        chosen = _calibrated(session, survey_id, camera)
     insets = {target: (inset.inset_m, inset.u_inset_m) for target, inset in survey.insets.items()}
     return plan_site(chosen, site, insets), chosen
-
-
-def _make_plain_camera(camera: PlainCamera) -> Camera:
-    return plain_camera(camera.width_px, camera.height_px, radians(camera.field_of_view_deg))
 
 
 def _calibrated(session: Session, survey_id: int, calibration_id: int) -> Camera:

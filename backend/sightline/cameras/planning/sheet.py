@@ -52,10 +52,6 @@ def sheet_pdf(
     return set_pdf({"main.typ": _TEMPLATE.read_bytes(), "values.json": written}, 0)
 
 
-def _size(camera: Camera) -> dict[str, int]:
-    return {"width_px": camera.width_px, "height_px": camera.height_px}
-
-
 class _Sheet:
     """What stands on the sheet, in one language."""
 
@@ -89,9 +85,10 @@ class _Sheet:
         }
 
     def facts(self) -> list[tuple[str, str]]:
-        site, camera = self.plan.site, self.camera
+        site = self.plan.site
+        size = {"width_px": self.camera.width_px, "height_px": self.camera.height_px}
         planned = [
-            ("planning-camera", self.say("sheet-camera-value", name=self.camera_name(), **_size(camera))),
+            ("planning-camera", self.say("sheet-camera-value", name=self.camera_name(), **size)),
             ("planning-camera-height", self.metres(site.camera_height_m)),
             ("planning-distance", self.metres(site.distance_m)),
             ("planning-board-distance", self.metres(site.board_m)),

@@ -112,13 +112,10 @@ def _whiskers(axes: Axes, found: TotalFigures, scale: Scale) -> None:
     ]
     marks.whiskers(axes, chosen, scale.factor)
     edge = axes.secondary_yaxis("right")
-    edge.set_yticks([one.percent for one in chosen], labels=[_valued(one, scale) for one in chosen])
+    values = [f"P{format_fixed(one.percent, 0)}  {scale.number(one.value)} {scale.sign}" for one in chosen]
+    edge.set_yticks([one.percent for one in chosen], labels=values)
     edge.tick_params(length=2.5, labelsize=NOTE_PT, labelcolor=INK)
     edge.spines["right"].set_visible(False)
-
-
-def _valued(one: Percentile, scale: Scale) -> str:
-    return f"P{format_fixed(one.percent, 0)}  {scale.number(one.value)} {scale.sign}"
 
 
 def _density(

@@ -18,7 +18,6 @@ from sightline.measurements.verify import Recomputed, check_measurements
 from sightline.messages import say
 from sightline.quality.repeats.csv import REPEATS
 from sightline.quality.repeats.verify import check_repeats
-from sightline.scans.verify import check_scans
 
 
 @dataclass(eq=False)
@@ -95,11 +94,6 @@ def check_heights(c: Checking) -> None:
 def check_computed_again(c: Checking) -> None:
     """What was computed again, and the verdicts that went over. Raises Damaged."""
     c.computings = check_computings(c.files, c.told.replay, c.told.computed)
-
-
-def check_line_scans(c: Checking) -> None:
-    """The tables of line scans. Raises Damaged."""
-    check_scans(c.files, c.told.replay, c.computings, c.recomputing, c.described.program)
 
 
 def check_pictures(c: Checking) -> None:

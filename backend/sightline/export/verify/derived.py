@@ -11,34 +11,16 @@ import numpy as np
 
 from sightline.arrays import Ints
 from sightline.errors import BadInput, Damaged
-from sightline.export.contents import DRAWING
 from sightline.export.crops import expected_overlay
 from sightline.export.derived import draw_derived_files
 from sightline.export.exclusions import EXCLUSIONS, exclusion_rows
 from sightline.export.measured import PackageStatistics, statistics_of
-from sightline.export.page import check_page
 from sightline.export.response import RESPONSE, response_rows
 from sightline.export.statistics_csv import TABLES, same_cell, statistics_rows
-from sightline.export.verify.described import Described
 from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.files import Files, columns_lacking, read_columns, read_rows, read_whole
-from sightline.infra.csv_package.parquet import check_parquet
 from sightline.infra.csv_package.schema import Row, Table, Written, cell_text
 from sightline.measurements.csv import CLICKS, CLICKS_FOLDER
-
-
-def check_page_again(files: Files, found: Described, written: Mapping[str, Written]) -> bool:
-    """The page is the described program with these tables; whether all was compared. Raises Damaged."""
-    same_program = found.is_made_alike(DRAWING)
-    return check_page(
-        files, found.made_with, found.tables, written, found.language, same_program=same_program
-    )
-
-
-def check_tables_again(files: Files, found: Described) -> int:
-    """Each table's Parquet holds what its CSV holds, as datapackage.json describes it; how many."""
-    resources = found.document["resources"]
-    return check_parquet(files, {one["path"]: one["schema"] for one in resources if "schema" in one})
 
 
 def check_statistics(files: Files, *, same_program: bool) -> tuple[PackageStatistics | None, int, str]:
@@ -74,14 +56,7 @@ def _check_clicks(files: Files, evaluated: Ints) -> None:
             is_in = int(id_.removeprefix("m")) in numbers
             expected = [str(one).lower() for one in (is_in and check == "false", is_in)]
             if stated != expected:
-                raise Damaged(
-                    "export-line-differs",
-                    path=path,
-                    at=at,
-                    name="counts, error_counts",
-                    told=", ".join(stated),
-                    found=", ".join(expected),
-                )
+                raise _line_differs(path, at, "counts, error_counts", ", ".join(stated), ", ".join(expected))
 
 
 def _compare(files: Files, table: Table, rows: Iterable[Row]) -> int:
@@ -95,16 +70,14 @@ def _compare(files: Files, table: Table, rows: Iterable[Row]) -> int:
         for column in columns:
             expected = cell_text(column, column.of_mapping(row))
             if not same_cell(column, stored[column.name], expected):
-                raise Damaged(
-                    "export-line-differs",
-                    path=table.key,
-                    at=at,
-                    name=column.name,
-                    told=stored[column.name] or "nothing",
-                    found=expected or "nothing",
-                )
+                raise _line_differs(table.key, at, column.name, stored[column.name], expected)
             count += column.type == "number" and expected != ""
     return count
+
+
+def _line_differs(path: str, at: int, name: str, told: str, found: str) -> Damaged:
+    told, found = told or "nothing", found or "nothing"
+    return Damaged("export-line-differs", path=path, at=at, name=name, told=told, found=found)
 
 
 class AsOf:
@@ -149,7 +122,8 @@ def check_crops(files: Files, written: Mapping[str, Written]) -> int:
     there = {path for path in files.paths if path.startswith("crops/")}
     if not there:
         return 0
-    measured = _points(files, {id_ for (id_,) in read_columns(files, "crops.csv", ("measurement_id",))})
+    wanted = {id_ for (id_,) in read_columns(files, "crops.csv", ("measurement_id",))}
+    measured = {row["id"]: row for row in read_rows(files, "measurements.csv") if row["id"] in wanted}
     count = 0
     for row in read_rows(files, "crops.csv"):
         if not row["file"]:
@@ -163,10 +137,6 @@ def check_crops(files: Files, written: Mapping[str, Written]) -> int:
     if there:
         raise Damaged("export-crop-added", there=min(there))
     return count
-
-
-def _points(files: Files, wanted: set[str]) -> dict[str, dict[str, str]]:
-    return {row["id"]: row for row in read_rows(files, "measurements.csv") if row["id"] in wanted}
 
 
 def _check_crop(

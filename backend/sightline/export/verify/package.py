@@ -21,10 +21,11 @@ from sightline.errors import BadInput, Damaged
 from sightline.export.contents import DRAWING, WORDS
 from sightline.export.exclusions import EXCLUSIONS
 from sightline.export.package_tables import MADE, STORED, Part, tables_of
+from sightline.export.page import check_page
 from sightline.export.seal import CHECKPOINT, check_seal, read_seal
 from sightline.export.verify.chain import ReplayedState, walk
 from sightline.export.verify.checking import Checking, PackageCheck
-from sightline.export.verify.derived import check_drawn, check_page_again, check_tables_again
+from sightline.export.verify.derived import check_drawn
 from sightline.export.verify.described import check_description, read_description
 from sightline.infra.audit.anchors import Anchors
 from sightline.infra.audit.checkpoints import checkpoint_problem
@@ -43,6 +44,7 @@ from sightline.infra.csv_package.files import (
     sum_of,
 )
 from sightline.infra.csv_package.forms import check_forms, read_json
+from sightline.infra.csv_package.parquet import check_parquet
 from sightline.infra.csv_package.schema import CHECKSUMS, CODE, Written
 from sightline.infra.csv_package.verify import check_keys
 from sightline.measurements.csv import CLICKS, CLICKS_FOLDER, REVISIONS
@@ -102,12 +104,15 @@ def _check(files: Files, anchors: Anchors, outcome: PackageCheck) -> None:
     _check_rows(checking)
     outcome.tell("description", check_description(files, described, state, written, tables))
     _check_parts(MADE, checking)
-    if checking.statistics is not None and described.is_made_alike(DRAWING):
+    same_drawing = described.is_made_alike(DRAWING)
+    if checking.statistics is not None and same_drawing:
         outcome.drawings = check_drawn(files, seal.as_of, checking.statistics, written, described.language)
     else:
         outcome.tell("drawings", [say("export-drawings-sealed-only", {})])
-    check_tables_again(files, described)
-    if not check_page_again(files, described, written):
+    resources = described.document["resources"]
+    check_parquet(files, {one["path"]: one["schema"] for one in resources if "schema" in one})
+    carried = (described.tables, written, described.language)
+    if not check_page(files, described.made_with, *carried, same_program=same_drawing):
         outcome.tell("page", [say("export-page-sealed-only", {})])
 
 

@@ -17,6 +17,7 @@ from sightline.infra.audit.merkle import path_of, root_by_path, root_of
 from sightline.infra.audit.records import AuditEvent, AuditHead, Checkpoint, Checkpoints
 from sightline.infra.audit.signing import SigningKey, signature_holds
 from sightline.infra.audit.tables import audit_events
+from sightline.infra.by_name import record_of
 from sightline.infra.database.types import now
 
 CHECKPOINT: Final = "checkpoint"
@@ -28,6 +29,8 @@ _STATEMENT = ("format", "at", "chains", "root", "key")
 _KEY_STATEMENT = ("format", "at", "key", "after")
 #: The parts of how a key was handed on, in their order.
 KEY_PARTS = (*_KEY_STATEMENT, "signature")
+#: The parts of a package's checkpoint, in their order.
+_PARTS = (*_STATEMENT, "signature", "leaf", "place", "path", "keys")
 
 
 def sign_checkpoint(session: Session, key: SigningKey, *, actor: int | None) -> JsonObject:
@@ -68,16 +71,8 @@ def checkpoint_document(session: Session, event_id: int) -> JsonObject:
 
 def _checkpoint_of(event: AuditEvent) -> Checkpoint:
     signed = event.after or {}
-    return Checkpoint(
-        id=event.id,
-        at=event.at,
-        by=event.actor,
-        chains=signed["chains"],
-        events=sum(count for _, count, _ in signed["ends"]),
-        root=signed["root"],
-        key=signed["key"],
-        signature=signed["signature"],
-    )
+    events = sum(count for _, count, _ in signed["ends"])
+    return record_of(Checkpoint, signed, id=event.id, at=event.at, by=event.actor, events=events)
 
 
 def is_signed(checkpoint: Mapping[str, Any]) -> bool:
@@ -99,19 +94,13 @@ def checkpoint_problem(document: Mapping[str, Any], chain: str, end: AuditHead) 
     """Why a package's checkpoint does not vouch for the end of its chain; None where it does."""
     try:
         leaf = {"chain": chain, "count": end.count, "hash": end.hash}
-        if not _is_whole(document) or list(document) != [
-            *_STATEMENT,
-            "signature",
-            "leaf",
-            "place",
-            "path",
-            "keys",
-        ]:
+        if not _is_whole(document) or tuple(document) != _PARTS:
             return Damaged("export-checkpoint-form")
         if document["format"] != FORMAT or not is_signed(document):
             return Damaged("export-checkpoint-signature")
         found = root_by_path(chain, end, document["place"], document["chains"], document["path"])
-        if document["leaf"] != leaf or found != document["root"] or not _is_lower(document["path"]):
+        lower = all(step == step.lower() for step in document["path"])
+        if document["leaf"] != leaf or found != document["root"] or not lower:
             return Damaged("export-checkpoint-other-chain")
         return None if are_handed_on(document["keys"], document["key"]) else Damaged("export-checkpoint-keys")
     except (KeyError, TypeError, ValueError):
@@ -127,15 +116,11 @@ def _is_whole(value: Any) -> bool:
     return not isinstance(value, float | bool)
 
 
-def _is_lower(path: Sequence[str]) -> bool:
-    return all(step == step.lower() for step in path)
-
-
 def are_handed_on(keys: Sequence[Mapping[str, Any]], last: str) -> bool:
     """Whether each key was signed by the one before, the first by itself, and the last is this one."""
     before: str | None = None
     for key in keys:
-        if list(key) != [*KEY_PARTS] or key["format"] != KEY_FORMAT:
+        if tuple(key) != KEY_PARTS or key["format"] != KEY_FORMAT:
             return False
         statement = {name: key[name] for name in _KEY_STATEMENT}
         by = key["key"] if before is None else before

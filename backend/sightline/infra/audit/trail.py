@@ -194,12 +194,8 @@ def listing(
     `seen`: only what is of these surveys and of the catalogue.
     """
     query = _events().order_by(audit_events.c.id.desc()).limit(min(max(limit, 1), 1000))
-    if survey_id is not None:
-        query = query.where(audit_events.c.survey_id == survey_id)
-    if entity is not None:
-        query = query.where(audit_events.c.entity == entity)
-    if actor_id is not None:
-        query = query.where(audit_events.c.actor_id == actor_id)
+    wanted = {"survey_id": survey_id, "entity": entity, "actor_id": actor_id}
+    query = query.where(*(audit_events.c[name] == one for name, one in wanted.items() if one is not None))
     if day is not None:
         query = query.where(audit_events.c.at.startswith(day.isoformat()))
     if among is not None:
@@ -259,6 +255,5 @@ def changed_fields(
 ) -> tuple[JsonObject, JsonObject]:
     """Only what differs, as (before, after) for an event."""
     different = [key for key in keys if to_plain_json(before[key]) != to_plain_json(after[key])]
-    return {key: to_plain_json(before[key]) for key in different}, {
-        key: to_plain_json(after[key]) for key in different
-    }
+    was, now_is = ({key: to_plain_json(one[key]) for key in different} for one in (before, after))
+    return was, now_is

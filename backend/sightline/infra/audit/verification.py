@@ -38,7 +38,7 @@ from sightline.infra.database.engine import (
     translate_database_errors,
 )
 from sightline.infra.database.pages import require_whole_pages
-from sightline.infra.database.revisions import newest_revision, stored_revision
+from sightline.infra.database.revisions import require_this_version
 from sightline.infra.database.rows import row_hash
 from sightline.infra.database.types import Saying
 
@@ -58,23 +58,16 @@ def verify_records(session: Session, anchors: Anchors | None = None) -> Verifica
         state.chains(session)
         _anchors(session, state)
         _check_rows(session, state)
-        _guards(session)
     except _Problem as problem:
         return Verification(False, state.checked, state.head, problem.said)
-    if not anchors:
-        return Verification(True, state.checked, state.head, None)
     try:
+        require_guards(session.connection())
+        if not anchors:
+            return Verification(True, state.checked, state.head, None)
         vouched = anchors.hold_in_database(state.hashes, state.head)
     except Damaged as damage:
         return Verification(False, state.checked, state.head, damage.said)
     return AnchoredVerification(True, state.checked, state.head, None, vouched)
-
-
-def _guards(session: Session) -> None:
-    try:
-        require_guards(session.connection())
-    except Damaged as damage:
-        raise _Problem(damage.code, **damage.values) from None
 
 
 def verify_database(url: str, name: str = "This address", anchors: Anchors | None = None) -> Verification:
@@ -86,15 +79,9 @@ def verify_database(url: str, name: str = "This address", anchors: Anchors | Non
         if not _holds_a_chain(engine):
             raise BadInput("audit-not-a-database", name=name)
         with reading(session_factory(engine)) as session:
-            _require_version(session)
+            require_this_version(session.connection())
             require_whole_pages(session.connection())
             return verify_records(session, anchors)
-
-
-def _require_version(session: Session) -> None:
-    """Raises BadInput for a database of another version, whose tables are others."""
-    if stored_revision(session.connection()) != newest_revision():
-        raise BadInput("audit-other-version")
 
 
 def _holds_a_chain(engine: Engine) -> bool:

@@ -7,6 +7,7 @@ Rows go through the program's own tables. Between the two lie the files that COP
 import re
 from collections.abc import Callable, Iterator, Mapping
 from datetime import datetime
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -73,11 +74,13 @@ def fill_sqlite(
     for number, table in enumerate(ours := [table for table in _tables() if table.name in tables]):
         tell(number / len(ours))
         columns = [table.c[name] for name in tables[table.name].columns]
-        bare = Table(table.name, MetaData(), *map(_copy_column, columns))
+        kinds = [Text() if isinstance(one.type, CanonicalJson) else one.type for one in columns]
+        bare = Table(table.name, MetaData(), *map(Column, tables[table.name].columns, kinds))
         try:
             # a migration may have put rows of its own there, which are among those that were copied
             connection.execute(table.delete())
-            for some in _in_pieces(_read_rows(folder / f"{table.name}{ENDING}", columns)):
+            rows = _read_rows(folder / f"{table.name}{ENDING}", columns)
+            while some := list(islice(rows, _AT_ONCE)):
                 connection.execute(insert(bare), some)
         except (DatabaseError, ValueError) as error:
             raise Damaged("backup-rows-misfit", name=table.name) from error
@@ -93,10 +96,6 @@ def _tables() -> list[Table]:
 def _select_as_text(column: Column[Any]) -> Any:
     """JSON as the text that is stored, to the bit."""
     return type_coerce(column, Text()) if isinstance(column.type, CanonicalJson) else column
-
-
-def _copy_column(column: Column[Any]) -> Column[Any]:
-    return Column(column.name, Text() if isinstance(column.type, CanonicalJson) else column.type)
 
 
 def _counter(connection: Connection, table: Table) -> dict[str, tuple[int, bool]]:
@@ -145,14 +144,3 @@ def _read_cell(cell: str, column: Column[Any]) -> object:
             return datetime.fromisoformat(cell)
         case _:
             return _ESCAPED.sub(lambda found: _MEANT.get(found[1], found[1]), cell)
-
-
-def _in_pieces(rows: Iterator[dict[str, object]]) -> Iterator[list[dict[str, object]]]:
-    some: list[dict[str, object]] = []
-    for row in rows:
-        some.append(row)
-        if len(some) == _AT_ONCE:
-            yield some
-            some = []
-    if some:
-        yield some

@@ -39,9 +39,10 @@ from sightline.infra.backup.manifest import (
 from sightline.infra.backup.media_copy import MediaCopies, prune
 from sightline.infra.backup.postgres_copy import copy_out
 from sightline.infra.backup.sqlite_copy import copy_sqlite, settle
-from sightline.infra.backup.state import continues, heads_of, needed_media, require_this_version
+from sightline.infra.backup.state import continues, heads_of, needed_media
 from sightline.infra.database.engine import engine_at, reading, session_factory, sqlite_file
 from sightline.infra.database.pages import require_whole_pages
+from sightline.infra.database.revisions import require_this_version
 from sightline.infra.services import Services
 from sightline.infra.version import code_version
 from sightline.infra.web.secret import FILE as SECRET
@@ -167,7 +168,7 @@ def _copy_database(
 
 
 def _describe_state(session: Session, before: Manifest | None, tables: dict[str, CopiedTable]) -> _State:
-    revision = require_this_version(session)
+    revision = require_this_version(session.connection())
     if before is not None and not continues(session, before.heads):
         raise BadInput("backup-of-another-installation")
     if (problem := verify_records(session).problem) is not None:

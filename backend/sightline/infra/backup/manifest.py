@@ -11,10 +11,9 @@ docs/formats.md describes each field.
 
 import fcntl
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass
-from hashlib import sha256
 from pathlib import Path
 from typing import Any, get_args
 
@@ -22,7 +21,7 @@ from pydantic import TypeAdapter, ValidationError
 
 from sightline.enums import DatabaseKind, KeyFrom
 from sightline.errors import BadInput, Conflict, Damaged
-from sightline.infra.audit.hashing import canonical_json
+from sightline.infra.audit.hashing import content_hash
 from sightline.media.atomic import PART, atomic_file
 from sightline.media.store.local import key_of, sha256_of
 
@@ -80,7 +79,7 @@ def database_kind(name: str) -> DatabaseKind:
 def write_manifest(folder: Path, manifest: Manifest) -> None:
     """The backup is whole from here on; the manifest carries the hash of itself."""
     content = asdict(manifest)
-    text = json.dumps({**content, "sha256": _seal(content)}, indent=1, ensure_ascii=False)
+    text = json.dumps({**content, "sha256": content_hash(content)}, indent=1, ensure_ascii=False)
     with atomic_file(folder / MANIFEST) as part:
         part.write_text(text + "\n", encoding="utf-8")
         part.chmod(0o600)
@@ -97,7 +96,7 @@ def read_manifest(folder: Path) -> Manifest:
         if content.get("format") != FORMAT:
             raise BadInput("backup-other-format", folder=folder)
         manifest = _ADAPTER.validate_python(content)
-        whole = _seal(content) == sealed
+        whole = content_hash(content) == sealed
     except (ValueError, KeyError, AttributeError, RecursionError, ValidationError) as error:
         raise Damaged("backup-manifest-damaged", path=path) from error
     if not whole or not _names_are_plain(manifest):
@@ -150,10 +149,6 @@ def lock_folder(folder: Path) -> Iterator[None]:
         for left in folder.rglob(f".*{PART}"):
             left.unlink()
         yield
-
-
-def _seal(content: Mapping[str, Any]) -> str:
-    return sha256(canonical_json(content).encode()).hexdigest()
 
 
 def _names_are_plain(manifest: Manifest) -> bool:

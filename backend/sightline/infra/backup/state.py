@@ -5,22 +5,12 @@ from collections.abc import Mapping
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
-from sightline.errors import BadInput
 from sightline.infra.audit import trail
 from sightline.infra.audit.tables import audit_events
-from sightline.infra.database.revisions import newest_revision, stored_revision
 from sightline.infra.database.types import metadata
 from sightline.infra.slices import load_tables
 
 Heads = Mapping[str, tuple[int, str]]
-
-
-def require_this_version(session: Session) -> str:
-    """The revision of the schema. Raises BadInput for one that this program would have to migrate."""
-    revision = stored_revision(session.connection())
-    if revision is None or revision != newest_revision():
-        raise BadInput("audit-other-version")
-    return revision
 
 
 def heads_of(session: Session) -> dict[str, tuple[int, str]]:

@@ -468,21 +468,28 @@ def read_whole(files: Files, path: str) -> bytes:
         return file.read()
 
 
-def read_rows(files: Files, path: str) -> Iterator[dict[str, str]]:
-    """The rows of one CSV, by column, wherever it lies (`place_of`). Raises Damaged if missing or no CSV."""
-    path = place_of(files, path)
-    lacking = columns_lacking(files, path)
+@contextmanager
+def open_csv(files: Files, path: str) -> Iterator[io.TextIOWrapper]:
+    """The text of one CSV for who reads its rows. Raises Damaged where it is missing or no CSV."""
     with files.open(path) as file:
         text = io.TextIOWrapper(file, encoding="utf-8", newline="")
         try:
-            for row in csv.DictReader(text, strict=True):
-                if None in row or None in row.values():
-                    raise Damaged("csv_package-row-length", path=path)
-                yield _EarlierRow(row) if lacking else row
+            yield text
         except (UnicodeDecodeError, csv.Error) as error:
             raise Damaged("csv_package-not-csv", path=path) from error
         finally:
             text.detach()
+
+
+def read_rows(files: Files, path: str) -> Iterator[dict[str, str]]:
+    """The rows of one CSV, by column, wherever it lies (`place_of`). Raises Damaged if missing or no CSV."""
+    path = place_of(files, path)
+    lacking = columns_lacking(files, path)
+    with open_csv(files, path) as text:
+        for row in csv.DictReader(text, strict=True):
+            if None in row or None in row.values():
+                raise Damaged("csv_package-row-length", path=path)
+            yield _EarlierRow(row) if lacking else row
 
 
 def read_header(files: Files, path: str) -> list[str]:
@@ -500,8 +507,7 @@ def read_columns(files: Files, path: str, names: tuple[str, ...]) -> Iterator[li
     """Some columns of one CSV, row by row: several times as quick as `read_rows`. Raises Damaged."""
     path = place_of(files, path)
     lacking = columns_lacking(files, path)
-    with files.open(path) as file:
-        text = io.TextIOWrapper(file, encoding="utf-8", newline="")
+    with open_csv(files, path) as text:
         try:
             reader = csv.reader(text, strict=True)
             header = [*next(reader, []), *lacking]
@@ -512,8 +518,6 @@ def read_columns(files: Files, path: str, names: tuple[str, ...]) -> Iterator[li
                 yield [cells[place] for place in places]
         except (UnicodeDecodeError, csv.Error, ValueError, IndexError) as error:
             raise Damaged("csv_package-not-as-described", path=path) from error
-        finally:
-            text.detach()
 
 
 def undo_safe_text(text: str) -> str:

@@ -10,10 +10,10 @@ import io
 import json
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
-from typing import Any, BinaryIO
+from typing import Any
 
 from sightline.errors import Damaged
-from sightline.infra.csv_package.files import Files, place_of, read_header, read_whole
+from sightline.infra.csv_package.files import Files, open_csv, place_of, read_header, read_whole
 from sightline.infra.csv_package.schema import DESCRIPTION, json_bytes
 
 _ROWS_AT_ONCE = 2000
@@ -69,32 +69,26 @@ def _check_table(files: Files, path: str, columns: Sequence[str]) -> None:
     if header != columns or len(set(header)) < len(header):
         odd = sorted(set(header) ^ set(columns)) or [one for one in header if header.count(one) > 1] or header
         raise Damaged("csv_package-columns-differ", path=path, column=(odd or ["none"])[0])
-    with files.open(path) as file:
-        for at, told, written in _as_written(file, path):
+    with open_csv(files, path) as text:
+        for at, told, written in _as_written(text, path):
             if told != written:
                 raise Damaged("csv_package-csv-form", path=path, at=at)
 
 
-def _as_written(file: BinaryIO, path: str) -> Iterator[tuple[int, str, str]]:
+def _as_written(text: Iterator[str], path: str) -> Iterator[tuple[int, str, str]]:
     """Pieces of a table as they stand and as they would be written, with the number of their first line."""
-    text = io.TextIOWrapper(file, encoding="utf-8", newline="")
     lines: list[str] = []
     reader = csv.reader(_keep_lines(text, lines), strict=True)
     at, width = 1, None
-    try:
-        while rows := list(islice(reader, _ROWS_AT_ONCE)):
-            width = len(rows[0]) if width is None else width
-            if any(len(row) != width for row in rows):
-                raise Damaged("csv_package-row-length", path=path)
-            out = io.StringIO()
-            csv.writer(out, lineterminator="\n").writerows(rows)
-            yield at, "".join(lines), out.getvalue()
-            at += len(lines)
-            lines.clear()
-    except (UnicodeDecodeError, csv.Error) as error:
-        raise Damaged("csv_package-not-csv", path=path) from error
-    finally:
-        text.detach()
+    while rows := list(islice(reader, _ROWS_AT_ONCE)):
+        width = len(rows[0]) if width is None else width
+        if any(len(row) != width for row in rows):
+            raise Damaged("csv_package-row-length", path=path)
+        out = io.StringIO()
+        csv.writer(out, lineterminator="\n").writerows(rows)
+        yield at, "".join(lines), out.getvalue()
+        at += len(lines)
+        lines.clear()
 
 
 def _keep_lines(text: Iterator[str], lines: list[str]) -> Iterator[str]:

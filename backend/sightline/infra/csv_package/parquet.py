@@ -7,7 +7,8 @@ each column (Arrow), and the whole Table Schema stands in the file's own as `sig
 
 import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Any
+from itertools import product, zip_longest
+from typing import Any, NoReturn
 
 import pyarrow as pa
 import pyarrow.csv as arrow_csv
@@ -86,13 +87,9 @@ def _check_table(files: Files, path: str, csv_path: str, schema: pa.Schema) -> N
         pieces = _pieces(found.iter_batches(_ROWS_AT_ONCE, use_threads=False), _ROWS_AT_ONCE)
         told = _pieces(_csv_batches(files, csv_path, schema), _ROWS_AT_ONCE)
         at = 0
-        while True:
-            mine, theirs = next(pieces, None), next(told, None)
-            if mine is None and theirs is None:
-                return
+        for mine, theirs in zip_longest(pieces, told):
             if mine is None or theirs is None or not mine.equals(theirs):
                 _tell_difference(path, csv_path, mine, theirs, at)
-            assert mine is not None
             at += mine.num_rows
     except (pa.ArrowException, OSError) as error:
         raise Damaged("csv_package-parquet-unreadable", path=path) from error
@@ -100,15 +97,14 @@ def _check_table(files: Files, path: str, csv_path: str, schema: pa.Schema) -> N
 
 def _tell_difference(
     path: str, csv_path: str, mine: pa.Table | None, theirs: pa.Table | None, before: int
-) -> None:
+) -> NoReturn:
     """Name the first row and column that differ; NaN, which no cell holds, equals nothing."""
-    rows = 0 if mine is None or theirs is None else min(mine.num_rows, theirs.num_rows)
-    for name in [] if mine is None else mine.column_names:
-        for n in range(rows):
-            if mine is not None and theirs is not None and mine[name][n] != theirs[name][n]:
-                raise Damaged(
-                    "csv_package-parquet-not-csv", path=path, csv_path=csv_path, name=name, at=before + n + 1
-                )
+    if mine is not None and theirs is not None:
+        rows = range(min(mine.num_rows, theirs.num_rows))
+        for name, n in product(mine.column_names, rows):
+            if mine[name][n] != theirs[name][n]:
+                at = before + n + 1
+                raise Damaged("csv_package-parquet-not-csv", path=path, csv_path=csv_path, name=name, at=at)
     raise Damaged("csv_package-parquet-other-rows", path=path, csv_path=csv_path)
 
 

@@ -23,10 +23,6 @@ Cells = Mapping[str, Any]
 Row = dict[str, str]
 
 
-def _as_told(told: Told) -> Cells:
-    return told
-
-
 @dataclass(frozen=True)
 class Replayed:
     """A table whose rows are what the events of `entity` say, in other words where `cells` gives them.
@@ -37,7 +33,7 @@ class Replayed:
     table: AnyTable
     entity: str
     within: tuple[str, str] | None = None
-    cells: Callable[[Told], Cells] = field(default=_as_told, compare=False)
+    cells: Callable[[Told], Cells] = field(default=lambda told: told, compare=False)
 
 
 class Replay:

@@ -19,7 +19,8 @@ def check_keys(files: Files, described: Sequence[AnyTable]) -> int:
     wanted = {
         (table, columns) for described_table in described for _, table, columns in described_table.foreign
     }
-    known = {key: _keys(files, _find_table(described, key[0]).path, key[1]) for key in wanted}
+    paths = {table.name: table.path for table in described}
+    known = {(table, columns): _keys(files, paths[table], columns) for table, columns in wanted}
     followed = 0
     for described_table in described:
         if described_table.primary:
@@ -36,10 +37,6 @@ def check_keys(files: Files, described: Sequence[AnyTable]) -> int:
                     )
                 followed += 1
     return followed
-
-
-def _find_table(described: Sequence[AnyTable], name: str) -> AnyTable:
-    return next(one for one in described if one.name == name)
 
 
 def _keys(files: Files, path: str, columns: tuple[str, ...]) -> set[tuple[str, ...]]:

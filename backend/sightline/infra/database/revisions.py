@@ -6,6 +6,8 @@ from pathlib import Path
 
 from sqlalchemy import Connection, text
 
+from sightline.errors import BadInput
+
 _REVISION = re.compile(r'^revision\b[^=\n]*= *"([^"]+)"', re.MULTILINE)
 _FOLLOWS = re.compile(r'^down_revision\b[^=\n]*= *"([^"]+)"', re.MULTILINE)
 
@@ -37,3 +39,11 @@ def stored_revision(connection: Connection) -> str | None:
     if not connection.dialect.has_table(connection, "alembic_version"):
         return None
     return connection.execute(text("SELECT version_num FROM alembic_version")).scalar_one_or_none()
+
+
+def require_this_version(connection: Connection) -> str:
+    """The revision of the schema. Raises BadInput for one that this program would have to migrate."""
+    revision = stored_revision(connection)
+    if revision is None or revision != newest_revision():
+        raise BadInput("audit-other-version")
+    return revision

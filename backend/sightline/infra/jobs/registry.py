@@ -44,7 +44,8 @@ class JobContext:
     job: Job
     services: Services
     report: Callable[[float, Said | None], None]
-    cancelled: Callable[[], bool]
+    #: whether the job is to stop (or was lost); for inner loops that call no progress
+    is_cancelled: Callable[[], bool]
 
     @property
     def payload(self) -> JsonObject:
@@ -59,10 +60,6 @@ class JobContext:
     def progress(self, fraction: float, message: Said | None = None) -> None:
         """Say how far the job is (0 to 1). Raises Stopped if it is to stop, JobLost if another has it."""
         self.report(fraction, message)
-
-    def is_cancelled(self) -> bool:
-        """Whether the job is to stop (or was lost); for inner loops that call no progress."""
-        return self.cancelled()
 
 
 Handler = Callable[[JobContext], Outcome]

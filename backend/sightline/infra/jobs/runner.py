@@ -63,7 +63,9 @@ class Runner:
         try:
             with Watch(self.services.sessions, job, self._stopping) as watch:
                 outcome = self._handle(job, watch)
-            self._finish(job, outcome)
+            # what was made and the job's end, in one transaction: both or neither, and once
+            with self.services.writing() as session:
+                finish_job(session, job, outcome(session) if callable(outcome) else outcome)
         except JobLost:
             raise
         except Away as away:
@@ -97,11 +99,6 @@ class Runner:
         if handler is None:
             raise SightlineError("jobs-kind-unknown", kind_name=job.kind)
         return handler.run(JobContext(job, self.services, watch.report, watch.is_over))
-
-    def _finish(self, job: Job, outcome: Outcome) -> None:
-        """What was made and the job's end, in one transaction: both or neither, and once."""
-        with self.services.writing() as session:
-            finish_job(session, job, outcome(session) if callable(outcome) else outcome)
 
     def _fail(self, job: Job, error: SightlineError) -> None:
         self._end(job, error.said, lambda session: fail_job(session, job, error))

@@ -200,29 +200,25 @@ def queued_jobs(session: Session) -> dict[int, str]:
 
 def requeue_job(session: Session, job: Job) -> Job:
     """Give the job of a dead worker to the next one. Raises JobLost if it moved on meanwhile."""
-    change: dict[str, Any] = {"state": "queued", "worker": None, "progress": 0.0}
-    change["message"] = Said("job-begun-again")
-    return _put_back(session, job, change, "requeue")
+    return _put_back(session, job, "requeue", {"message": Said("job-begun-again")})
 
 
 def release_job(session: Session, job: Job) -> Job:
     """Put a job back because its worker shuts down; that attempt does not count. Raises JobLost."""
-    change: dict[str, Any] = {"state": "queued", "worker": None, "progress": 0.0}
-    change |= {"attempts": job.attempts - 1, "message": Said("job-waits-to-begin-again")}
-    return _put_back(session, job, change, "release")
+    change = {"attempts": job.attempts - 1, "message": Said("job-waits-to-begin-again")}
+    return _put_back(session, job, "release", change)
 
 
 def postpone_job(session: Session, job: Job) -> Job:
     """Put a job back, database or storage being away, for a growing pause, uncounted. Raises JobLost."""
     pause = min(FIRST_PAUSE * 2 ** min(job.outages, 16), LONGEST_PAUSE)
-    change: dict[str, Any] = {"state": "queued", "worker": None, "progress": 0.0}
-    change |= {"attempts": job.attempts - 1, "outages": job.outages + 1, "not_before": now() + pause}
-    change["message"] = Said("job-tried-again")
-    return _put_back(session, job, change, "release")
+    change = {"attempts": job.attempts - 1, "outages": job.outages + 1, "not_before": now() + pause}
+    return _put_back(session, job, "release", {**change, "message": Said("job-tried-again")})
 
 
-def _put_back(session: Session, job: Job, change: Mapping[str, Any], action: AuditAction) -> Job:
-    done = session.execute(update(jobs).where(*_held_conditions(job)).values(change).returning(jobs.c.id))
+def _put_back(session: Session, job: Job, action: AuditAction, change: Mapping[str, Any]) -> Job:
+    values = {"state": "queued", "worker": None, "progress": 0.0, **change}
+    done = session.execute(update(jobs).where(*_held_conditions(job)).values(values).returning(jobs.c.id))
     if done.first() is None:
         raise JobLost("jobs-changed-meanwhile", id=job.id)
     after = {"state": "queued", "attempts": change.get("attempts", job.attempts)}

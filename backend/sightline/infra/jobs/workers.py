@@ -115,7 +115,7 @@ class Supervisor:
         while not self._is_over():
             self._show_life()
             self._fill()
-            self._trying(self._hand_out)
+            self._trying(lambda: self._engine.hand_out(self._sessions, self._processes))
             self._listen(TICK_S)
             self._trying(self._take_back_ended)
         self._end()
@@ -159,9 +159,6 @@ class Supervisor:
             be_worker(self.settings, name, theirs, short_only=short_only)
         theirs.close()
         return WorkerProcess(pid, name, ours, short_only=short_only)
-
-    def _hand_out(self) -> None:
-        self._engine.hand_out(self._sessions, self._processes)
 
     def _listen(self, seconds: float) -> None:
         """Wait for a process to say something; those that ended are buried."""

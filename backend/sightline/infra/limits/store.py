@@ -59,19 +59,18 @@ def wait_s(session: Session, limit: Limit, of: str, *, pace_s: float | None = No
     return limit.seconds
 
 
-def count_tried(session: Session, limit: Limit, of: str) -> None:
-    """Count one more, whether there is room or not."""
+def count_tried(session: Session, limit: Limit, of: str, amount: int = 1) -> None:
+    """Count so much more, whether there is room or not."""
     session.execute(delete(counted).where(counted.c.at <= now() - timedelta(seconds=LONGEST_S)))
-    session.execute(insert(counted), {"key": limit.key(of), "at": now(), "amount": 1})
+    session.execute(insert(counted), {"key": limit.key(of), "at": now(), "amount": amount})
 
 
 def count_against(session: Session, limit: Limit, of: str, amount: int = 1) -> bool:
     """Count so much, unless it is too much: then nothing is counted. In a write transaction, the only one."""
-    session.execute(delete(counted).where(counted.c.at <= now() - timedelta(seconds=LONGEST_S)))
-    if not has_room(session, limit, of, amount):
-        return False
-    session.execute(insert(counted), {"key": limit.key(of), "at": now(), "amount": amount})
-    return True
+    room = has_room(session, limit, of, amount)
+    if room:
+        count_tried(session, limit, of, amount)
+    return room
 
 
 def uncount(session: Session, limit: Limit, of: str) -> None:

@@ -71,19 +71,17 @@ def answer(error: SightlineError, headers: dict[str, str] | None = None, **more:
 
 def answer_known_error(_request: Request, error: Exception) -> JSONResponse:
     assert isinstance(error, SightlineError)
-    current: Any = error.current if isinstance(error, Conflict) else None
-    more = {} if current is None else {"current": _as_answered(current)}
+    more = {}
+    if isinstance(error, Conflict) and error.current is not None:
+        # it goes out as an answer would: what no answer shows, no refusal shows
+        kind = TypeAdapter[Any](type(error.current))
+        more["current"] = kind.dump_python(error.current, mode="json")
     # whatever is away or busy may be asked again, and a program should know when
     after_s = RETRY_AFTER_S if error.status == 503 else None
     if isinstance(error, TooMany):
         after_s = error.retry_after_s
     headers = None if after_s is None else {"Retry-After": str(after_s)}
     return answer(error, headers, **more)
-
-
-def _as_answered(current: Any) -> Any:
-    """What a conflict carries goes out as an answer would: what no answer shows, no refusal shows."""
-    return TypeAdapter(type(current)).dump_python(current, mode="json")
 
 
 def answer_malformed_request(_request: Request, error: Exception) -> JSONResponse:

@@ -1,6 +1,6 @@
 """What Prometheus reads on a port of its own: requests, turns, jobs, decoder, connections."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Protocol
 from wsgiref.simple_server import WSGIServer
 
@@ -28,36 +28,31 @@ class InstallationMetrics(Collector):
         self._services, self._turns = services, turns
 
     def collect(self) -> Iterator[Metric]:
-        version = GaugeMetricFamily("sightline_version", "This program", labels=("version",))
-        version.add_metric((code_version(),), 1)
-        yield version
-        waiting = GaugeMetricFamily(
-            "sightline_requests_waiting", "Requests that wait for their turn", labels=("turn",)
+        yield _gauge("sightline_version", "This program", "version", [(code_version(), 1)])
+        waiting = [(name, one.waiting) for name, one in self._turns.items()]
+        yield _gauge("sightline_requests_waiting", "Requests that wait for their turn", "turn", waiting)
+        in_use = float(getattr(self._services.engine.pool, "checkedout", int)())
+        yield GaugeMetricFamily(
+            "sightline_database_connections", "Connections to the database in use", value=in_use
         )
-        for name, one in self._turns.items():
-            waiting.add_metric((name,), one.waiting)
-        yield waiting
-        pool = self._services.engine.pool
-        connections = GaugeMetricFamily(
-            "sightline_database_connections", "Connections to the database in use"
+        runs = float(self._services.frames.process_id is not None)
+        yield GaugeMetricFamily(
+            "sightline_decoder_running", "Whether the child that decodes stills runs", value=runs
         )
-        connections.add_metric((), float(getattr(pool, "checkedout", int)()))
-        yield connections
-        decoder = GaugeMetricFamily("sightline_decoder_running", "Whether the child that decodes stills runs")
-        decoder.add_metric((), float(self._services.frames.process_id is not None))
-        yield decoder
-        yield from self._jobs()
-
-    def _jobs(self) -> Iterator[Metric]:
         try:
             with self._services.reading() as session:
                 counts = count_jobs(session)
         except SightlineError:
             return
-        jobs = GaugeMetricFamily("sightline_jobs", "Jobs by state", labels=("state",))
-        for state, count in counts.items():
-            jobs.add_metric((state,), count)
-        yield jobs
+        yield _gauge("sightline_jobs", "Jobs by state", "state", counts.items())
+
+
+def _gauge(name: str, what: str, label: str, values: Iterable[tuple[str, float]]) -> Metric:
+    """A value for each that the label tells apart."""
+    gauge = GaugeMetricFamily(name, what, labels=(label,))
+    for labelled, value in values:
+        gauge.add_metric((labelled,), value)
+    return gauge
 
 
 def serve_metrics(host: str, port: int, registry: CollectorRegistry) -> Callable[[], None]:

@@ -67,7 +67,8 @@ def page(path: str, request: Request) -> Response:
     try:
         return answer_page(folder, path, request.headers.get("accept-encoding", ""))
     except HTTPException:
-        if not _asked_by_a_browser(request) or path.split("/")[0] == "api":
+        # a person who opened this address is told in the front end's own clothes that it is none
+        if "text/html" not in request.headers.get("accept", "") or path.split("/")[0] == "api":
             raise
         return _index(folder, 404)
 
@@ -90,11 +91,6 @@ def answer_page(folder: Path, path: str, encodings: str = "") -> Response:
         return FileResponse(file, headers=headers)
     headers |= {"Content-Encoding": "br", "Vary": "Accept-Encoding"}
     return FileResponse(packed, headers=headers, media_type=mimetypes.guess_type(file.name)[0])
-
-
-def _asked_by_a_browser(request: Request) -> bool:
-    """Whether a person opened this address: the front end then says, in its own clothes, that it is none."""
-    return "text/html" in request.headers.get("accept", "")
 
 
 def _index(folder: Path, status: int = 200) -> Response:

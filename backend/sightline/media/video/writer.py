@@ -52,7 +52,9 @@ def _encode(
         for image in frames:
             if count == 0:
                 stream.height, stream.width = image.shape[:2]
-            _check_shape(name, image, stream.width, stream.height)
+            width, height = stream.width, stream.height
+            if image.shape != (height, width, 3) or width % 2 or height % 2:
+                raise BadInput("video-frame-form", name=name, shape=image.shape, width=width, height=height)
             frame = av.VideoFrame.from_ndarray(np.ascontiguousarray(image), format="bgr24")
             frame.pts, frame.time_base = count, 1 / rate
             container.mux(stream.encode(frame))
@@ -61,8 +63,3 @@ def _encode(
             raise BadInput("video-no-frames-written", name=name)
         container.mux(stream.encode(None))
     return count
-
-
-def _check_shape(name: str, image: NDArray[np.uint8], width: int, height: int) -> None:
-    if image.shape != (height, width, 3) or width % 2 or height % 2:
-        raise BadInput("video-frame-form", name=name, shape=image.shape, width=width, height=height)

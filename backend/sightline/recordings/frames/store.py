@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-from sqlalchemy import bindparam, delete, insert, select, update
+from sqlalchemy import bindparam, delete, select, update
 from sqlalchemy.orm import Session
 
 from sightline.errors import NotFound
@@ -60,10 +60,11 @@ def replace_frames(session: Session, recording_id: int, found: FrameTable) -> No
     connection = session.connection()
     if connection.dialect.name == "sqlite":
         connection.exec_driver_sql(_SQLITE_INSERT, rows)
-    elif connection.dialect.driver == "psycopg":
-        _copy(connection.connection.driver_connection, rows)
-    else:
-        session.execute(insert(frames), [dict(zip(frames.columns.keys(), row, strict=True)) for row in rows])
+        return
+    driver: Any = connection.connection.driver_connection
+    with driver.cursor() as cursor, cursor.copy(_COPY) as copy:
+        for row in rows:
+            copy.write_row(row)
 
 
 def change_times(session: Session, recording_id: int, time_s: npt.NDArray[np.float64]) -> None:
@@ -90,12 +91,6 @@ def frame_table_fingerprint(frame_table: FrameTable) -> str:
     for array, kind in kinds:
         digest.update(np.ascontiguousarray(array, dtype=kind).tobytes())
     return digest.hexdigest()
-
-
-def _copy(connection: Any, rows: list[tuple[Any, ...]]) -> None:
-    with connection.cursor() as cursor, cursor.copy(_COPY) as copy:
-        for row in rows:
-            copy.write_row(row)
 
 
 def _fixed(values: Any, kind: Any) -> Any:

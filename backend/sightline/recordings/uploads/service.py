@@ -6,10 +6,9 @@ recording, the end of the upload and the ingest job are one transaction.
 """
 
 import logging
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from datetime import timedelta
 from pathlib import Path
-from typing import TypeVar
 
 from sightline.enums import UploadPurpose
 from sightline.errors import Conflict, NoRoom, NotFound, SightlineError, TooMany
@@ -20,7 +19,6 @@ from sightline.infra.stored_bytes import let_go, store_file, suffix_of
 from sightline.media.store import upload_parts
 from sightline.media.store.local import free_bytes, key_of
 from sightline.recordings.ingest_job import queue_ingest
-from sightline.recordings.records import Recording
 from sightline.recordings.store import create_recording, get_recording
 from sightline.recordings.uploads.records import Upload
 from sightline.recordings.uploads.store import (
@@ -31,8 +29,6 @@ from sightline.recordings.uploads.store import (
     strip_arrived,
     unfinished_uploads,
 )
-
-Made = TypeVar("Made")
 
 log = logging.getLogger(__name__)
 
@@ -135,80 +131,44 @@ def take_bytes(services: Services, upload: Upload, at: int, chunks: Iterable[byt
 
 
 def upload_arrived_whole(services: Services, upload: Upload, actor: int | None) -> int | None:
-    """What follows from the last byte, sent by `actor`: a recording (its id), or a waiting strip."""
-    if upload.purpose == "video":
-        return complete_upload(services, upload.id, actor).id
-    keep_strip(services, upload.id, actor)
-    return None
+    """What follows from the last byte, sent by `actor`: a recording (its id), or a waiting strip.
 
-
-def keep_strip(services: Services, upload_id: int, actor: int | None) -> Upload:
-    """Store a strip whose bytes are all here; may be done again. Raises Conflict while bytes are missing."""
-    with services.reading() as session:
-        upload = get_upload(session, upload_id)
-    return (
-        upload if upload.finished_at is not None else _store_upload(services, upload_id, actor, _note_strip)
-    )
-
-
-def _note_strip(
-    session: Session, upload_id: int, actor: int | None, key: str, whole: upload_parts.FinishedUpload
-) -> Upload:
-    upload = get_upload(session, upload_id)
-    if upload.finished_at is not None:
-        return upload
-    return strip_arrived(session, upload_id, media_key=key, sha256=whole.sha256, actor=actor)
-
-
-def complete_upload(services: Services, upload_id: int, actor: int | None) -> Recording:
-    """Make the recording of an upload whose bytes are all here; the same one if that was done.
-
-    Raises Conflict while bytes are missing, NoRoom.
+    May be done again, and gives the same. The bytes are stored by their content, what they became is noted,
+    and the part is let go of. Raises Conflict while bytes are missing, and where the recording was deleted,
+    NoRoom.
     """
-    done = _recording_of(services, upload_id)
-    if done is not None:
-        return done
-    try:
-        return _store_upload(services, upload_id, actor, _note_recording)
-    except Conflict:
-        # Another request, or another try of this one, was faster: its recording is the answer.
-        done = _recording_of(services, upload_id)
-        if done is None:
-            raise
-        return done
-
-
-def _store_upload(
-    services: Services,
-    upload_id: int,
-    actor: int | None,
-    note: Callable[[Session, int, int | None, str, upload_parts.FinishedUpload], Made],
-) -> Made:
-    """Store the bytes by their content, note what they became, and let go of the part."""
     with services.reading() as session:
-        upload = get_upload(session, upload_id)
-    whole = upload_parts.finish(upload_folder(services), part_name(upload_id), upload.size_bytes)
+        now_is = get_upload(session, upload.id)
+        if now_is.finished_at is not None:
+            return _became(session, now_is)
+    whole = upload_parts.finish(upload_folder(services), part_name(upload.id), upload.size_bytes)
     # A strip goes when its scan is read, so it is never one file with what stays.
     word = "-strip" if upload.purpose == "strip" else ""
     key = key_of(whole.sha256, word + suffix_of(upload.filename))
     # Linked where the store can: a copy would need the room twice. The part is discarded further down.
-    noted = store_file(
+    recording_id = store_file(
         services,
         upload.survey_id,
         key,
         whole.path,
-        lambda session: note(session, upload_id, actor, key, whole),
+        lambda session: _note(session, upload.id, actor, key, whole),
         actor=actor,
         link=True,
     )
-    upload_parts.discard(upload_folder(services), part_name(upload_id))
-    return noted
+    upload_parts.discard(upload_folder(services), part_name(upload.id))
+    return recording_id
 
 
-def _note_recording(
+def _note(
     session: Session, upload_id: int, actor: int | None, key: str, whole: upload_parts.FinishedUpload
-) -> Recording:
+) -> int | None:
+    """Note what the bytes became, unless another request, or another try of this one, was faster."""
     upload = get_upload(session, upload_id)
+    if upload.finished_at is not None:
+        return _became(session, upload)
+    if upload.purpose == "strip":
+        strip_arrived(session, upload_id, media_key=key, sha256=whole.sha256, actor=actor)
+        return None
     recording = create_recording(
         session,
         upload.survey_id,
@@ -220,18 +180,17 @@ def _note_recording(
     )
     finish_upload(session, upload_id, recording_id=recording.id, actor=actor)
     queue_ingest(session, recording, actor)
-    return get_recording(session, recording.id)
+    return recording.id
 
 
-def _recording_of(services: Services, upload_id: int) -> Recording | None:
-    with services.reading() as session:
-        upload = get_upload(session, upload_id)
-        if upload.recording_id is None:
-            return None
-        try:
-            return get_recording(session, upload.recording_id)
-        except NotFound as gone:
-            raise Conflict("recordings-upload-of-deleted") from gone
+def _became(session: Session, upload: Upload) -> int | None:
+    """The recording of a finished upload; None of a strip. Raises Conflict where it was deleted."""
+    if upload.recording_id is None:
+        return None
+    try:
+        return get_recording(session, upload.recording_id).id
+    except NotFound as gone:
+        raise Conflict("recordings-upload-of-deleted") from gone
 
 
 def abandon_upload(services: Services, upload_id: int, actor: int | None) -> None:
