@@ -187,26 +187,6 @@ def test_who_is_cut_by_the_end_of_a_pair_and_whole_in_the_next_is_counted_there(
     assert sum(one.vehicles for one in by_flow) == sum(one.measured for one in by_flow) == 2
 
 
-@pytest.mark.parametrize(("away_s", "counted"), [(600.0, [1, 1]), (600.05, [1, 1]), (620.0, [1, 2])])
-def test_one_cut_where_a_recording_ends_and_the_next_begins_counts_once(
-    tmp_path: Path, away_s: float, counted: list[int]
-) -> None:
-    car = recorded(10, 1, 600.0, unmeasured=1.0).passings[0]
-    lines = {"rear_line_1": 3e6, "reason": str(CUT)}
-    cut = replace(car, front_s=599.8, rear_s=600.0, front_line_1=2.999e6, **lines)
-    rest = replace(car, front_s=0.0, rear_s=0.1, front_line_1=0.0, **lines)
-    last = replace(car, number=2, front_s=9.0, rear_s=9.5, front_line_1=4.5e4)
-    add_recorded(tmp_path, Recorded("1", "ab" * 32, 600.0, (cut,)), stood("2026-05-04T12:00:00"))
-    start = stood("2026-05-04T12:00:00").start + timedelta(seconds=away_s)
-    later = replace(stood("2026-05-04T12:10:00"), start=start)
-    add_recorded(tmp_path, Recorded("2", "cd" * 32, 500.0, (rest, last)), later)
-    with ArchiveTables(tmp_path) as tables:
-        rows = list(tables.intervals(Asked(minutes=10)))
-    assert [row["vehicles"] for row in rows] == counted
-    by_flow = [one for scan in traffic_of(results_in(tmp_path)[0], 60) for one in scan.intervals]
-    assert sum(one.vehicles for one in by_flow) == sum(counted)
-
-
 @pytest.mark.parametrize("name", ["", " Hill", ".Hill", "a/b", "a=b", "a%20", "x" * 81, "a\nb"])
 def test_a_name_that_is_no_folders_is_refused(tmp_path: Path, name: str) -> None:
     with pytest.raises(BadInput, match="cannot name a site"):

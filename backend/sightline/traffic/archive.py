@@ -42,6 +42,8 @@ _UNSAFE = frozenset('/\\:*?"<>|=%+&#')
 _MOST_NAME_SIGNS = 80
 #: Segments of one stream overlap by twice the margin around a vehicle's lines, 0.04 s.
 SHARED_S = 0.1
+#: By so much the front of one that was cut off by the end of a segment may differ from that in the next one.
+ROUGH_S = 0.01
 
 
 def add_recorded(folder: Path, recorded: Recorded, stood: Stood) -> int:

@@ -12,8 +12,7 @@ the end of its recording (who comes later may have passed beside it). Where one 
 ended, it is not told of the next one that begins within a minute, which took it for the road, nor of those
 after it until another has driven through. Of another whose rear nobody saw it is not told to the first front
 after it was given up. One of unknown lane may stand in any lane. Where segments of one stream overlap, time
-and vehicles are those of the first, but for one that its end cut off and the next one saw whole; one in view
-where a recording begins is of the one that ended then, if another was in view there.
+and vehicles are those of the first, but for one that its end cut off and the next one saw whole.
 """
 
 from __future__ import annotations
@@ -29,9 +28,8 @@ import duckdb
 from sightline.infra.local_time import zone_of
 from sightline.linescan.parts import AT_END_S, CUT, STANDS_S, STOOD, STOPPED
 from sightline.linescan.traffic import class_names
-from sightline.scans.statistics.traffic import ROUGH_S
 from sightline.statistics.distributions import too_few_for, vehicles_for_interval
-from sightline.traffic.archive import SHARED_S, VEHICLES, WATCHED, files_of, sites_of
+from sightline.traffic.archive import ROUGH_S, SHARED_S, VEHICLES, WATCHED, files_of, sites_of
 from sightline.traffic.records import Asked, Site
 
 _MEMORY, _THREADS = "1GB", 2
@@ -130,7 +128,7 @@ class ArchiveTables:
             f"CREATE OR REPLACE TEMP VIEW watched AS {_WATCHED.format(_read_parquet_sql(watched))}"
         )
         read = f"{_read_parquet_sql(passed)} UNION ALL BY NAME {_NOBODY}" if passed else _NOBODY
-        passed_sql = _PASSED.format(passed=read, shared_s=SHARED_S, cut=_CUT, rough_s=ROUGH_S)
+        passed_sql = _PASSED.format(read, SHARED_S, _CUT, ROUGH_S)
         self._db.execute(f"CREATE OR REPLACE TEMP VIEW vehicles AS {passed_sql}")
         result = self._db.execute(query)
         names = [one[0] for one in result.description or ()]
@@ -187,34 +185,21 @@ FROM (SELECT *, max(epoch(midnight_at) + to_s) OVER (PARTITION BY lane ORDER BY 
   ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING) - epoch(midnight_at) AS before_s FROM ({}))
 """
 #: Who came while another segment watched was told of that one; who was cut by its end, of the next one, where
-#: that had begun by then. Who was in view at line 0 was told of the one that ended then, if one was there.
+#: that had begun by then.
 _PASSED = """
-WITH passed AS ({passed}), begun AS (
-  SELECT recording_sha256, lane, any_value(start_at) AS start_at, min(epoch(midnight_at) + from_s) AS from_s,
-    max(epoch(midnight_at) + to_s) AS until_s
+WITH passed AS ({}), begun AS (
+  SELECT recording_sha256, lane, any_value(start_at) AS start_at, min(epoch(midnight_at) + from_s) AS from_s
   FROM watched GROUP BY recording_sha256, lane
-), at_end AS (
-  SELECT *, coalesce(epoch(passed_at) + occupied_s, until_s) AS gone_s
-  FROM passed JOIN begun USING (recording_sha256, lane) WHERE gone_s >= until_s - 2 * {shared_s}
 ), cut AS (
-  SELECT at_end.*, later.recording_sha256 AS told_in FROM at_end
-  JOIN begun AS later ON at_end.lane IN (later.lane, '') AND later.start_at > at_end.start_at
-    AND epoch(passed_at) - epoch(later.start_at) BETWEEN 0 AND {shared_s}
-  WHERE reason = '{cut}' AND front_line_1 > 0
-), goes_on AS (
-  SELECT later.recording_sha256, later.lane FROM at_end
-  JOIN begun AS later ON at_end.lane IN (later.lane, '') AND later.start_at > at_end.start_at
-    AND epoch(later.start_at) - at_end.until_s BETWEEN -{shared_s} AND {shared_s}
-    AND gone_s >= least(epoch(later.start_at), at_end.until_s) - {rough_s}
+  SELECT passed.*, later.recording_sha256 AS told_in FROM passed JOIN begun USING (recording_sha256, lane)
+  JOIN begun AS later ON passed.lane IN (later.lane, '') AND later.start_at > begun.start_at
+    AND epoch(passed_at) - epoch(later.start_at) BETWEEN 0 AND {} WHERE reason = '{}' AND front_line_1 > 0
 )
-SELECT * EXCLUDE (start_at, from_s, until_s) REPLACE (
+SELECT * EXCLUDE (start_at, from_s) REPLACE (
   coalesce(told_before, false) OR epoch(passed_at) < least(from_s - 0.001, (
-    SELECT min(epoch(cut.passed_at)) - {rough_s} FROM cut
+    SELECT min(epoch(cut.passed_at)) - {} FROM cut
     WHERE told_in = passed.recording_sha256 AND cut.lane IN (passed.lane, '')))
-  OR (recording_sha256, number) IN (SELECT (cut.recording_sha256, cut.number) FROM cut)
-  OR (front_line_1 <= 0 AND reason IS NOT NULL
-    AND (recording_sha256, lane) IN (SELECT (goes_on.recording_sha256, goes_on.lane) FROM goes_on))
-  AS told_before)
+  OR (recording_sha256, number) IN (SELECT (cut.recording_sha256, cut.number) FROM cut) AS told_before)
 FROM passed JOIN begun USING (recording_sha256, lane)
 """
 
