@@ -19,7 +19,7 @@ from sightline.commands.scanned import Start, about_rig, cell_of, object_of, row
 from sightline.errors import BadInput
 from sightline.infra.local_time import instant_of
 from sightline.linescan.finding import Finder
-from sightline.linescan.parts import CUT, STOOD, STOPPED, Lane, Rig
+from sightline.linescan.parts import STOOD, STOPPED, Lane, Rig
 from sightline.linescan.passing import measure_passages
 from sightline.linescan.rig import rig_from
 from sightline.linescan.traffic import LENGTH_LIMITS_M
@@ -293,29 +293,6 @@ def test_who_stands_through_segments_of_a_stream_counts_once(
     path.write_text("\n".join(map(json.dumps, (first, again))))
     (hour,) = table(flow(capsys, path, "--interval", "60"))
     assert (hour["vehicles"], hour["headway_mean_s"], hour["occupancy_percent"]) == ("1", "", "")
-
-
-def test_one_cut_between_two_files_of_a_folder_counts_once(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """Files of one recorder, one where the other ends: each has a part of it."""
-    for name, start, front_s, long_s in (("a", "06:00:00", 599.9, 0.1), ("b", "06:10:00", 0.0, 0.15)):
-        path = as_json(tmp_path / f"{name}.json", 600.0, start=f"2026-05-04T{start}+02:00")
-        whole = json.loads(path.read_text())
-        one = {**whole["vehicles"][1], "id": 9, "front_s": front_s, "rear_s": front_s + long_s}
-        one |= {end + "_line_1": one[end + "_s"] * RATE_HZ for end in ("front", "rear")}
-        whole["vehicles"] = [*whole["vehicles"][:4], one | {"reason": str(CUT)}]
-        path.write_text(json.dumps(whole))
-    cars = tmp_path / "cars.csv"
-    said = flow(capsys, tmp_path, "--interval", "60", "-o", tmp_path / "out.csv", "--vehicles", cars)
-    rows = table((tmp_path / "out.csv").read_text())
-    assert [(one["recording"], one["vehicles"], one["refused"]) for one in rows] == [
-        ("a.json", "5", "2"),
-        ("b.json", "4", "1"),
-    ]
-    assert said.startswith("9 vehicles") and len(table(cars.read_text())) == 9
-    each = table(flow(capsys, tmp_path / "b.json", tmp_path / "a.json", "--interval", "60"))
-    assert sorted(one["vehicles"] for one in each) == ["4", "5"]
 
 
 def test_who_leaves_behind_one_that_stands_is_counted_once(

@@ -9,10 +9,9 @@ import pytest
 
 from sightline.linescan.parts import CUT, STOOD, STOPPED, Rig
 from sightline.linescan.rig import baseline_of
-from sightline.messages.said import Said
 from sightline.recordings.filming import Filming
 from sightline.scans.statistics.service import VehicleMotion, statistics_of_seen, when_passed
-from sightline.scans.statistics.traffic import Watched, told_once, traffic_of_seen
+from sightline.scans.statistics.traffic import Watched, traffic_of_seen
 
 pytestmark = pytest.mark.once
 
@@ -162,62 +161,6 @@ def test_who_stands_from_one_segment_to_the_next_is_counted_once(away_s: float, 
     ]
     found = traffic_of_seen(watched, [stands, in_view], 60, accepted_only=True)
     assert sum(one.vehicles for scan in found for one in scan.intervals) == counted
-
-
-#: The first of 0 to 3,600 s and the next one from so many on; front, occupied time and reason in each.
-#: Who counts in which follows.
-InTwo = tuple[float, float, Said | None]
-IN_TWO: dict[str, tuple[float, InTwo, InTwo, list[int]]] = {
-    "cut at a joint": (3600.0, (3599.9, 0.1, CUT), (0.0, 0.1, CUT), [1, 0]),
-    "cut at a joint, its first lines like the road": (3600.0, (3599.9, 0.1, CUT), (0.005, 0.1, CUT), [1, 0]),
-    "lines lost at a joint": (3600.05, (3599.9, 0.1, CUT), (0.0, 0.05, CUT), [1, 0]),
-    "in view at the end alone": (3600.0, (3599.9, 0.1, CUT), (0.2, 0.2, None), [1, 1]),
-    "rear seen in both": (3599.96, (3599.8, 0.19, None), (0.0, 0.03, CUT), [1, 0]),
-    "front seen in both": (3599.96, (3599.98, 0.02, CUT), (0.021, 0.2, None), [0, 1]),
-    "whole in both": (3592.0, (3595.0, 0.2, None), (3.0, 0.2, None), [1, 0]),
-    "two that overlap nowhere": (3592.0, (3595.0, 0.2, None), (3.1, 0.2, None), [1, 1]),
-    "20 s later": (3620.0, (3599.9, 0.1, CUT), (0.0, 0.1, CUT), [1, 1]),
-    "side by side for half an hour": (1800.0, (3595.0, 0.2, None), (1795.0, 0.2, None), [1, 1]),
-}
-
-
-@pytest.mark.parametrize("name", IN_TWO)
-def test_one_that_is_in_two_pairs_of_strips_counts_in_one(name: str) -> None:
-    """As in strips that are searched one pair after the other; it counted in both."""
-    begins_s, before, after, counted = IN_TWO[name]
-    start = datetime(2026, 5, 4, 12, tzinfo=UTC)
-    found = [
-        replace(
-            seen(7, "accepted" if reason is None else "not_measurable"),
-            scan_id=at,
-            since_s=since_s,
-            occupied_s=occupied_s,
-            reason=reason,
-            front_seen=since_s > 0,
-        )
-        for at, (since_s, occupied_s, reason) in enumerate((before, after), 1)
-    ]
-    watched = [
-        Watched(at, str(at), Filming(start + timedelta(seconds=at_s), "UTC"), 3600.0)
-        for at, at_s in ((2, begins_s), (1, 0.0))
-    ]
-    told = traffic_of_seen(watched, found, 60, accepted_only=True)
-    vehicles = {scan.name: sum(one.vehicles for one in scan.intervals) for scan in told}
-    assert [vehicles["1"], vehicles["2"]] == counted
-    assert [not one.told_before for one in told_once(watched, found)] == [bool(one) for one in counted]
-
-
-def test_two_beside_each_other_that_a_joint_cuts_are_two() -> None:
-    start = datetime(2026, 5, 4, 12, tzinfo=UTC)
-    cut = replace(seen(1, "not_measurable"), since_s=3599.8, occupied_s=0.2, reason=CUT, lane="near")
-    other = replace(cut, number=2, since_s=3599.95, occupied_s=0.05, lane="far")
-    later = [
-        replace(one, scan_id=2, since_s=since_s, occupied_s=0.2, front_seen=since_s > 0)
-        for one, since_s in ((cut, 0.0), (other, 0.0), (replace(cut, number=3), 0.08))
-    ]
-    watched = [Watched(at, str(at), Filming(start + timedelta(hours=at), "UTC"), 3600.0) for at in (1, 2)]
-    told = told_once(watched, [cut, other, *later])
-    assert [one.told_before for one in told] == [False, False, True, True, False]
 
 
 def test_one_of_unknown_lane_that_stands_may_stand_in_any() -> None:

@@ -48,10 +48,8 @@ def flow(
     """
     minutes = _minutes(lengths)
     rows, vehicles, notes = list[dict[str, Any]](), list[dict[str, Any]](), list[str]()
-    packages = [place for place in places if _is_package(place)]
-    others = [place for place in places if place not in packages]
-    found = [_of_package(place, minutes) for place in packages]
-    for traffic, passed, said in [*([_of_results(others, minutes)] if others else []), *found]:
+    for place in places:
+        traffic, passed, said = _of_place(place, minutes)
         rows += [row for one in traffic for row in _rows_of_intervals(one)]
         vehicles += passed
         notes += said + [
@@ -88,26 +86,18 @@ def _minutes(text: str) -> tuple[int, ...]:
 Rows = list[dict[str, Any]]
 
 
-def _is_package(place: Path) -> bool:
+def _of_place(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], Rows, list[str]]:
+    """The traffic of a place, its vehicles, and what is to be said of it."""
     from sightline.infra.csv_package.files import places_of
+    from sightline.traffic.results import results_in, traffic_of
 
     if not place.exists():
         raise BadInput("commands-flow-not-there", place=place)
-    return place.suffix.lower() == ".zip" or any((place / path).is_file() for path in places_of(_SCANS))
-
-
-def _of_results(places: Sequence[Path], minutes: Sequence[int]) -> tuple[list[ScanTraffic], Rows, list[str]]:
-    """The traffic of places together, their vehicles, and what is to be said of them."""
-    from sightline.traffic.results import once, results_in, traffic_of
-
-    read = [(place, *results_in(place)) for place in places]
-    results = once([one for _, found, _ in read for one in found])
+    if place.suffix.lower() == ".zip" or any((place / path).is_file() for path in places_of(_SCANS)):
+        return _of_package(place, minutes)
+    results, left = results_in(place)
     traffic = [each for length in minutes for each in traffic_of(results, length)]
-    notes = [
-        f"{name} in {place} has no scanned vehicles and is skipped."
-        for place, _, left in read
-        for name in left
-    ]
+    notes = [f"{name} in {place} has no scanned vehicles and is skipped." for name in left]
     notes += [
         f"{result.name} does not say how long was recorded: its first and last interval count as fully "
         "observed."
@@ -128,13 +118,12 @@ def _of_package(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic],
     from sightline.export.traffic import scans_in, traffic_in
     from sightline.infra.csv_package.files import open_package, place_of
     from sightline.results.csv import selection_in
-    from sightline.scans.statistics.traffic import told_once
     from sightline.traffic.results import Results
 
     files = open_package(place)
     if place_of(files, _SCANS) not in files.paths:
         raise BadInput("commands-flow-folder-empty", place=place)
-    cars, rows, filmed = told_once(scans_in(files), list(scanned_motions(files))), Rows(), selection_in(files)
+    cars, rows, filmed = list(scanned_motions(files)), Rows(), selection_in(files)
     traffic = traffic_in(files, cars, minutes)
     for scan in scans_in(files):
         if scan.clock is not None:
@@ -240,15 +229,14 @@ def _too_few(shown: ShownInterval) -> list[str]:
 
 
 def _vehicle_rows(of: Results) -> Iterator[dict[str, Any]]:
-    """Each vehicle that counts here with its headway: from the front before, of its direction and lane."""
+    """Each vehicle with its headway: from the front before, of its direction and lane."""
     passings: list[tuple[float, float | None, VehicleMotion]] = []
     streams = streams_of(of.vehicles)
     for (way, _), stream in streams.items():
         fronts_s = [one.since_s or 0.0 for one in stream]
         headways = headways_s(fronts_s, [one.front_seen for one in stream], strays_s(streams, way))
         passings += zip(fronts_s, headways, stream, strict=True)
-    counted = [each for each in passings if not each[2].told_before]
-    for since_s, headway_s, vehicle in sorted(counted, key=lambda each: each[0]):
+    for since_s, headway_s, vehicle in sorted(passings, key=lambda each: each[0]):
         held = {
             "recording": of.name,
             "id": vehicle.number,

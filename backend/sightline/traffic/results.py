@@ -9,7 +9,7 @@ the recording's vehicles of that direction and lane stands for it, which it cann
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from datetime import datetime, timedelta
-from itertools import islice, pairwise
+from itertools import pairwise
 from math import ceil, sqrt
 from pathlib import Path
 from statistics import median
@@ -25,7 +25,7 @@ from sightline.linescan.traffic import Stream
 from sightline.messages.said import Said
 from sightline.recordings.filming import Filming
 from sightline.scans.statistics.service import VehicleMotion
-from sightline.scans.statistics.traffic import Clock, ScanTraffic, Watched, told_once, traffic_of_seen
+from sightline.scans.statistics.traffic import Clock, ScanTraffic, Watched, traffic_of_seen
 from sightline.traffic.archive import WATCHED, require_archive, sites_of, watched_rows
 from sightline.traffic.records import Passing
 from sightline.traffic.sources import (
@@ -117,17 +117,6 @@ def results_in(place: Path) -> tuple[list[Results], list[str]]:
     if not ours:
         raise BadInput("commands-flow-folder-empty", place=place)
     return ours, others
-
-
-def once(results: Sequence[Results]) -> list[Results]:
-    """The recordings, each vehicle that two of them have `told_before` in one: see `told_once`."""
-    watched = [
-        Watched(number, one.name, one.clock, one.watched_s, site=one.site)
-        for number, one in enumerate(results)
-    ]
-    cars = [replace(car, scan_id=number) for number, one in enumerate(results) for car in one.vehicles]
-    told = iter(told_once(watched, cars))
-    return [replace(one, vehicles=tuple(islice(told, len(one.vehicles)))) for one in results]
 
 
 def _of_data(path: Path, data: bytes) -> Results:

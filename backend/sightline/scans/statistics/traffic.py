@@ -4,7 +4,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import partial
-from operator import itemgetter
 from typing import Annotated, Protocol
 
 import numpy as np
@@ -12,7 +11,7 @@ from pydantic import Field
 
 from sightline.enums import ScanDirection
 from sightline.infra.by_name import filled_from
-from sightline.linescan.parts import CUT, STANDS_S, may_still_stand, stands_at_end
+from sightline.linescan.parts import STANDS_S, may_still_stand, stands_at_end
 from sightline.linescan.traffic import Interval, Passed, Stream, intervals, strays_s, streams_of
 from sightline.messages.said import Said
 from sightline.recordings.filming import FilmedWithin
@@ -21,11 +20,8 @@ from sightline.statistics.distributions import Percentile, percentiles
 
 #: Of the speeds of an interval; the 85th is what limits are set by.
 PERCENTS = (15.0, 50.0, 85.0)
-#: By so much at most the next recording of a stream begins before the one before it ends: a resumed one by
-#: 10 s, and what a person tells.
-_SHARED_S = 12.0
-#: By so much the front of one that was cut off may differ in both.
-ROUGH_S = 0.01
+#: By so much at most the next recording of a stream begins before the one before it ends, as a person tells.
+_SHARED_S = 2.0
 #: And by so much at most it begins later, where what is in view then is what stood at the end.
 _NEXT_S = 0.1
 
@@ -133,13 +129,19 @@ def traffic_of_seen(
     the first.
     Every vehicle counts for flow and occupancy; its speed and length where its motion counts. Intervals are
     those that begin within the days and hours `filmed`. Where one stood when a recording ended, the next one,
-    within a minute, tells no occupancy. Who is in two recordings counts in one, see `told_once`.
+    within a minute, tells no occupancy, and one in view where that goes on at once is not counted again.
     """
-    streams = [streams_of(cars) for cars in _by_scan(watched, told_once(watched, vehicles))]
+    of_scan: dict[int, list[VehicleMotion]] = {one.scan_id: [] for one in watched}
+    for car in vehicles:
+        of_scan.get(car.scan_id, []).append(car)
+    streams = [streams_of(of_scan[one.scan_id]) for one in watched]
+    stood = _stood_before(watched, streams)
     out = []
-    for scan, by_stream, ended in zip(watched, streams, _stood_before(watched, streams), strict=True):
-        for stream, cars in by_stream.items():
+    for scan, by_stream, ended in zip(watched, streams, stood, strict=True):
+        goes_on = any(each.later_s <= _NEXT_S and each.stream not in each.gone for each in ended)
+        for stream, seen in by_stream.items():
             before = any(_may_be_of(each.stream, stream) and stream not in each.gone for each in ended)
+            cars = [replace(car, told_before=True) if goes_on and not car.front_seen else car for car in seen]
             strayed = [
                 car
                 for other, passed in by_stream.items()
@@ -151,75 +153,6 @@ def traffic_of_seen(
             within = tuple(each for each in whole.intervals if filmed.holds(each.begins_at))
             out.append(replace(whole, intervals=within))
     return tuple(out)
-
-
-def told_once(watched: Sequence[Watched], vehicles: Sequence[VehicleMotion]) -> list[VehicleMotion]:
-    """The vehicles, each that is in two recordings of one place of which one goes on where the other ends
-    `told_before` in one of them: in the later one, but for one that the end of the earlier one cut off and
-    the later one saw whole.
-
-    One is of both where its fronts agree, or where it is in view when the later one begins and another was
-    when the earlier one ended.
-    """
-    by_scan = _by_scan(watched, vehicles)
-    told, near = set[tuple[int, int]](), list[tuple[str, float, list[_InTime]]]()
-    stood = _stood_before(watched, [streams_of(cars) for cars in by_scan])
-    spans = [(span, at) for at, one in enumerate(watched) if (span := one.span_s) is not None]
-    for (begin_s, end_s), at in sorted(spans):
-        site, cars = watched[at].site, _in_time(by_scan[at], begin_s, end_s)
-        near = [one for one in near if begin_s - one[1] <= _NEXT_S]
-        if any(each.later_s <= _NEXT_S and each.stream not in each.gone for each in stood[at]):
-            told |= {(car.scan_id, car.number) for *_, car in cars if not car.front_seen}
-        for other, until_s, before in near:
-            if other == site and until_s - begin_s <= _SHARED_S:
-                told |= _of_both(before, cars, begin_s, until_s)
-        near.append((site, end_s, cars))
-    return [replace(car, told_before=True) if (car.scan_id, car.number) in told else car for car in vehicles]
-
-
-#: When a vehicle reached and left camera 1, seconds since 1970; one whose rear nobody saw left at the end.
-_InTime = tuple[float, float, VehicleMotion]
-
-
-def _in_time(cars: Sequence[VehicleMotion], begin_s: float, end_s: float) -> list[_InTime]:
-    fronts = sorted(
-        ((begin_s + one.since_s, one) for one in cars if one.since_s is not None), key=itemgetter(0)
-    )
-    return [(at, end_s if one.occupied_s is None else at + one.occupied_s, one) for at, one in fronts]
-
-
-def _of_both(
-    before: Sequence[_InTime], after: Sequence[_InTime], begin_s: float, until_s: float
-) -> set[tuple[int, int]]:
-    """Of the vehicles before one moment and after another, in order, scan and number of those that count in
-    the other recording.
-    """
-    told = set[tuple[int, int]]()
-    since_s = min(begin_s, until_s) - ROUGH_S
-    left = [(front_s, one) for front_s, rear_s, one in before if rear_s >= since_s]
-    for at, _, car in after:
-        if at > until_s + _NEXT_S:
-            break
-        in_view = not car.front_seen or (_was_cut(car) and at <= begin_s + _NEXT_S)
-        same = [each for each in left if abs(each[0] - at) <= ROUGH_S]
-        same += [each for each in left if in_view and each[0] <= at]
-        if same:
-            left.remove(same[0])
-            front_s, one = same[0]
-            of = one if car.front_seen and _was_cut(one) and front_s >= begin_s - ROUGH_S else car
-            told.add((of.scan_id, of.number))
-    return told
-
-
-def _was_cut(one: VehicleMotion) -> bool:
-    return str(one.reason) == str(CUT)
-
-
-def _by_scan(watched: Sequence[Watched], vehicles: Sequence[VehicleMotion]) -> list[list[VehicleMotion]]:
-    of_scan: dict[int, list[VehicleMotion]] = {one.scan_id: [] for one in watched}
-    for car in vehicles:
-        of_scan.get(car.scan_id, []).append(car)
-    return [of_scan[one.scan_id] for one in watched]
 
 
 def _stood_before(
