@@ -3,14 +3,9 @@
 It is the vertex of a parabola through the edges of neighbouring bands, each with the weight of its own doubt:
 bumpers are round, and may have the road's own grey in some bands. Where a parabola fits no better than an
 upright line the end is flat, and the line goes through as many bands as agree with it: the lowest of noisy
-values, which a vertex seeks, lies too far out. So it does at a corner, upright on one side and falling back
-on the other: by least squares through 2 REACH + 1 bands 0.15 of what it falls back from band to band. And so
-it does where greys put a few bands of a tall flat end before the others. Therefore an upright line is looked
-for through more bands too, about the foremost or to one side of it.
-
-An outline falls back from its foremost point upwards and downwards, so bands that lie behind others on either
-side are no part of it: they are gaps, or show an edge within a vehicle whose grey is the road's there. Which
-of both is told by what little differs before them.
+values, which a vertex seeks, lies too far out. An outline falls back from its foremost point upwards and
+downwards, so bands that lie behind others on either side are no part of it: they are gaps, or show an edge
+within a vehicle whose grey is the road's there. Which of both is told by what little differs before them.
 """
 
 from dataclasses import dataclass
@@ -28,8 +23,6 @@ BEFORE_M = 0.10
 # through which an upright line goes as long as it stays within so many of its standard uncertainties
 REACH = 3
 FLAT_REACHES, STAYS = (5, 8, 12, 18), 1.5
-# such a line has the foremost band in its middle, or as its second one from above or from below
-SIDES = (0, -1, 1)
 # Of the bands about the foremost point, one that shows no clear edge, or one that strays, may have been the
 # foremost: by how much it hides grows as the square of their number, as a parabola falls back. Metres.
 HIDDEN_M = 0.0003
@@ -138,12 +131,13 @@ def fit_foremost_edge(bands: Bands, view: Seen) -> Edge:
     )
     other = float(np.max(bands.ahead[kept[np.abs(kept - middle) <= 1]], initial=0.0)) / 2
     line, u_lines = end.line, hypot(end.u_lines, hidden, other)
-    upright, behind = _upright_of(bands, used, middle, end, float(smooth.min()))
-    if upright is not None:
-        line, u_lines = upright.line, hypot(upright.u_lines, other)
-    if not 0 < behind < NOTCH_M * lines_per_m:
-        behind = 0.0
-    return Edge(line + behind / 2, doubtful, hypot(u_lines, behind / 2))
+    for reach in FLAT_REACHES if end.flat else ():
+        near = used[np.abs(used - middle) <= reach]
+        wider = _end_of(near - middle, edges[near], u[near], uneven[near])
+        if not wider.flat or abs(wider.line - end.line) > STAYS * end.u_lines:
+            break
+        end, line, u_lines = wider, wider.line, hypot(wider.u_lines, other)
+    return Edge(line, doubtful, u_lines)
 
 
 def _of_three(values: Floats) -> Floats:
@@ -193,16 +187,14 @@ def _may_hide(bands: Bands, view: Seen, notches: NDArray[np.bool_], line: float,
 class _End:
     """The foremost line of an outline, its u but for what is hidden, and whether the outline is flat.
 
-    `scatter`: standard deviation of the bands about it, robust, lines. `bend`: by how many lines it falls
-    back at one band from its foremost; of a flat one, at most (one u more than was found), of another, no
-    more is known than of any.
+    `bend`: by how many lines it falls back at one band from its foremost; of a flat one, at most (one u more
+    than was found), of another, no more is known than of any.
     """
 
     line: float
     u_lines: float
     flat: bool
     bend: float
-    scatter: float
 
 
 def _end_of(x: NDArray[np.intp], y: Floats, s: Floats, uneven: Floats) -> _End:
@@ -241,53 +233,7 @@ def _end_of(x: NDArray[np.intp], y: Floats, s: Floats, uneven: Floats) -> _End:
     by_noise = wider * float(gradient @ np.linalg.solve(normal, gradient))
     by_grey = (FLAT_GREY if is_flat else ROUND_GREY) * float(np.average(uneven, weights=s**-2))
     by_shape = 0.0 if is_flat or len(c) < 3 else ROUND_SHAPE * float(c[2])
-    scatter = robust_scale(y - np.vander(place, len(c), increasing=True) @ c)
-    return _End(float(gradient @ c), hypot(sqrt(by_noise), by_grey, by_shape), is_flat, bend, scatter)
-
-
-def _upright_of(
-    bands: Bands, used: NDArray[np.intp], middle: np.intp, end: _End, foremost: float
-) -> tuple[_End | None, float]:
-    """An upright line through as many of the bands `used` (n,) about the `middle` one, or to one side of it,
-    as agree with the `end` through the nearest of them, None where none does; and, where the end stays round,
-    by how many lines an upright line that would be enough lies behind it.
-
-    Own method. A line agrees with a flat end within STAYS of its u. It agrees with one that looks round where
-    `foremost`, the smallest of the medians of three bands, lies before it by no more than the largest of n
-    normal errors does, sqrt(2 ln n) of their standard deviation (Cramer 1946): of what the bands stray,
-    and of what each is unsure by if that is more. Where it lies farther out nothing tells whether the body
-    stands out there or its greys do: of two places alike likely, a distance d apart, the mean lies half the
-    way, with a standard deviation of d / 2. What stands out by NOTCH_M or more is taken for the body.
-    """
-    upright: _End | None = None
-    doubts = list[tuple[float, float]]()
-    sides: tuple[int, ...] = SIDES
-    for reach in FLAT_REACHES:
-        agree = list[tuple[float, int, _End]]()
-        for side in sides:
-            near = used[np.abs(used - middle - side * (reach - 1)) <= reach]
-            # it takes more bands than a parabola's to tell what those do not
-            if len(near) <= 2 * REACH and not (end.flat and side == 0):
-                continue
-            u, uneven = bands.u[near], bands.uneven[near]
-            line = _end_of(near - middle, bands.edges[near], u, uneven)
-            if not line.flat:
-                continue
-            if end.flat:
-                agrees = abs(line.line - end.line) <= STAYS * end.u_lines
-            else:
-                strays = max(line.scatter, float(np.median(np.hypot(u, uneven))))
-                agrees = line.line - foremost <= sqrt(2 * log(len(near))) * strays
-            if agrees:
-                agree.append((line.u_lines, side, line))
-            elif not end.flat:
-                doubts.append((line.u_lines, line.line - end.line))
-        if agree:
-            _, side, end = min(agree, key=lambda one: one[0])
-            upright, sides = end, (side,)
-        elif end.flat:
-            break
-    return upright, min(doubts)[1] if doubts and not end.flat else 0.0
+    return _End(float(gradient @ c), hypot(sqrt(by_noise), by_grey, by_shape), is_flat, bend)
 
 
 def _misses(x: Floats, y: Floats, s: Floats, c: Floats) -> Floats:
