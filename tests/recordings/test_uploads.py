@@ -510,7 +510,6 @@ def test_who_is_taken_out_in_the_middle_of_a_patch_is_refused(
 
 
 @pytest.mark.once
-@pytest.mark.once
 @pytest.mark.parametrize(
     ("headers", "status"),
     [

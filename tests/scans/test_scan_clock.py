@@ -106,7 +106,6 @@ def test_days_and_hours_of_filming_hold_for_scanned_vehicles(
 
 
 @pytest.mark.once
-@pytest.mark.once
 @pytest.mark.parametrize(
     ("changed", "words"),
     [

@@ -101,7 +101,6 @@ def test_a_reference_is_replaced_by_who_saw_it_and_taken_back(operator: Client, 
 
 
 @pytest.mark.once
-@pytest.mark.once
 @pytest.mark.parametrize(
     ("body", "said"),
     [
@@ -172,7 +171,6 @@ def test_a_csv_is_previewed_and_imported_line_by_line(operator: Client, scan_id:
     assert "Replaces the speed 19.4444 m/s" in words and "Was a run of The Golf." in words
 
 
-@pytest.mark.once
 @pytest.mark.once
 @pytest.mark.parametrize(
     ("text", "said"),
