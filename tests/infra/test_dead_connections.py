@@ -39,9 +39,11 @@ def relay(database_url: str) -> Iterator[Relay]:
 
 @pytest.fixture
 def through(relay: Relay, database_url: str, monkeypatch: pytest.MonkeyPatch) -> Iterator[Engine]:
-    """An engine that reaches the database by the relay, and waits a second for an answer."""
-    for name in ("PING_S", "READ_S", "SHORT_WRITE_S", "LONG_WRITE_S"):
-        monkeypatch.setattr(postgres, name, 1.0)
+    """An engine that reaches the database by the relay, and waits a second for an answer; to a write longer
+    than another writer may rest in its turn, as outside of tests.
+    """
+    for name, seconds in {"PING_S": 1.0, "READ_S": 1.0, "SHORT_WRITE_S": 3.0, "LONG_WRITE_S": 3.0}.items():
+        monkeypatch.setattr(postgres, name, seconds)
     monkeypatch.setattr(postgres, "HEARD_S", 0.0)
     monkeypatch.setattr(postgres.LimitedConnection, "answer_s", 1.0)
     monkeypatch.setattr(database, "SHORT_IDLE_S", 1.0)
