@@ -1,5 +1,5 @@
-"""`sightline serve`: settings and a port that cannot be used; in `make proofs` the first start's link, the
-second start without one, and their ends.
+"""`sightline serve`: the first start's link and its end, a port and a folder that are taken, settings that
+cannot be used; in `make proofs` a kill, the second start without a link, and a connection that rests.
 """
 
 import http.client
@@ -80,12 +80,34 @@ def said(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) ->
     return run
 
 
-def test_a_port_that_is_taken_is_named(tmp_path: Path, said: Said) -> None:
-    with listen("127.0.0.1", 0) as listener:
-        port = str(listener.getsockname()[1])
-        status, out, err = said("serve", "--data-dir", str(tmp_path / "data"), "--port", port)
-    assert status == 2 and f"Port {port}" in err and not out
+def require_first_link(server: Server) -> None:
+    """It is printed beside the address, signs in once, and not again."""
+    assert f"http://localhost:{server.port}" in server.log.read_text()
+    link = server.link()
+    assert link is not None
+    assert sign_in(server, link) == 200
+    with pytest.raises(urllib.error.HTTPError):
+        sign_in(server, link)
+
+
+def require_alone(server: Server, said: Said) -> None:
+    """Who wants its port, or its folder, is told so."""
+    elsewhere = str(server.data_dir.with_name("other"))
+    status, out, err = said("serve", "--data-dir", elsewhere, "--port", str(server.port))
+    assert status == 2 and f"Port {server.port}" in err and not out
     assert err.count("\n") == 1
+    status, _, err = said("serve", "--data-dir", str(server.data_dir), "--port", "0")
+    assert status == 2 and "Another server is using the folder" in err
+
+
+def test_a_first_start_prints_a_link_for_once_and_has_port_and_folder_for_itself(
+    tmp_path: Path, started: list[Server], said: Said
+) -> None:
+    started.append(server := Server(tmp_path / "data", "--workers", "0"))
+    server.wait()
+    require_first_link(server)
+    require_alone(server, said)
+    assert server.stop(signal.SIGTERM) == 0
 
 
 @pytest.mark.proof
@@ -97,17 +119,8 @@ def test_a_first_start_a_second_and_what_is_left_behind(
     kept, asked_at = http.client.HTTPConnection("127.0.0.1", first.port), time.monotonic()
     assert answered(kept)
     line = kept.sock
-    assert f"http://localhost:{first.port}" in first.log.read_text()
-    link = first.link()
-    assert link is not None
-    assert sign_in(first, link) == 200
-    with pytest.raises(urllib.error.HTTPError):
-        sign_in(first, link)
-    status, out, err = said("serve", "--data-dir", str(tmp_path / "other"), "--port", str(first.port))
-    assert status == 2 and f"Port {first.port}" in err and not out
-    assert err.count("\n") == 1
-    status, _, err = said("serve", "--data-dir", str(tmp_path / "data"), "--port", "0")
-    assert status == 2 and "Another server is using the folder" in err
+    require_first_link(first)
+    require_alone(first, said)
 
     time.sleep(max(0.0, asked_at + 6 - time.monotonic()))  # longer than uvicorn keeps it by itself
     assert answered(kept) and kept.sock is line, "a proxy asks again on a connection that rested"
