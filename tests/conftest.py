@@ -4,6 +4,7 @@ The database is made once a session by running the migrations; each test gets an
 every worker of pytest-xdist has a schema of its own, which is removed at the end.
 """
 
+import atexit
 import gc
 import os
 import sys
@@ -26,7 +27,8 @@ from tests.support.kept import PostgresShelf, Shelf, SqliteShelf
 from tests.support.proofs import PROOFS
 
 pytest_plugins = ["tests.support.processor_time"]
-#: Fixtures of who runs tests; who only hands them to workers need not import the program.
+#: Fixtures of who runs tests; who only hands them to workers need not import the program, nor does who asks a
+#: server by a browser.
 GROUND = ("tests.support.app", "tests.support.drawn")
 pytest.register_assert_rewrite(*GROUND)  # a folder's conftest may import them first
 
@@ -43,7 +45,9 @@ SERVER = os.environ.get("SIGHTLINE_TEST_DATABASE_URL", "")
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    if "PYTEST_XDIST_WORKER" in os.environ or not config.getoption("numprocesses", None):
+    browsers_alone = all(Path(one).parts[:2] == ("tests", "browser") for one in config.args)
+    hands_out = "PYTEST_XDIST_WORKER" not in os.environ and config.getoption("numprocesses", None)
+    if not browsers_alone and not hands_out:
         for name in GROUND:
             config.pluginmanager.import_plugin(name)
 
@@ -77,8 +81,14 @@ def pytest_runtestloop() -> None:
     gc.enable()
 
 
+@pytest.hookimpl(trylast=True)
 def pytest_unconfigure() -> None:
-    """Or libraries complain at the end that what they made is still there."""
+    """A worker has told all by now: it ends without taking apart what it imported, which takes two seconds.
+    Elsewhere libraries would complain that what they made is still there.
+    """
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        atexit._run_exitfuncs()
+        os._exit(0)
     gc.unfreeze()
 
 

@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
+from tests.media.clips import short_clip
 from tests.media.test_other_recorders import two_pictures
-from tests.recordings.test_filming import clip
 
 
 @pytest.mark.usefixtures("kept")
@@ -58,7 +58,7 @@ def test_a_rate_is_stated_and_another_picture_imported(
     page: Page, survey_id: int, screenshots: Path, tmp_path: Path
 ) -> None:
     files = [
-        clip(tmp_path / "slow.mp4", {"com.android.capture.fps": "100"}, {}),
+        short_clip(tmp_path / "slow.mp4", {"com.android.capture.fps": "100"}, {}),
         two_pictures(tmp_path / "two.mp4", (30, 30), (True, True)),
     ]
     page.goto(f"/surveys/{survey_id}/recordings")

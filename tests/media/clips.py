@@ -109,6 +109,20 @@ def tagged(path: Path, tags: dict[str, str], rate: int = 30) -> Path:
     return path
 
 
+def short_clip(path: Path, of_file: dict[str, str], of_stream: dict[str, str]) -> Path:
+    """Four frames in a container that states this."""
+    options = {"movflags": "use_metadata_tags"}
+    with av.open(str(path), "w", options=options) as out:
+        stream = out.add_stream("libx264", rate=25)
+        stream.width, stream.height, stream.pix_fmt = 320, 240, "yuv420p"
+        out.metadata.update(of_file)
+        stream.metadata.update(of_stream)
+        for n in range(4):
+            out.mux(stream.encode(av.VideoFrame.from_ndarray(painted(n), format="bgr24")))
+        out.mux(stream.encode(None))
+    return path
+
+
 def uneven(n: int) -> int:
     """Time stamps of a telephone: 20 to 60 ms apart, in order."""
     return sum(1800 + (k * 7919) % 3600 for k in range(n))

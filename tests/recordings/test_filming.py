@@ -4,7 +4,6 @@ from datetime import UTC, date, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
-import av
 import cv2
 import numpy as np
 import pytest
@@ -16,26 +15,12 @@ from sightline.media.video.stated import Stated
 from sightline.recordings import ingest_job
 from sightline.recordings.filming import FilmedWithin, misfits
 from sightline.recordings.store import get_recording, recordings_of_content
-from tests.media.clips import edited, painted
+from tests.media.clips import edited, short_clip
 from tests.media.test_other_recorders import two_pictures
 from tests.support.app import Client, run_jobs, upload
 
 LENS = {"width_px": 1920, "height_px": 1080, "fx_px": 1400.0, "fy_px": 1400.0}
 START = {"local": "2026-05-03T08:10:00", "time_zone": "Europe/Paris"}
-
-
-def clip(path: Path, of_file: dict[str, str], of_stream: dict[str, str]) -> Path:
-    """A short clip whose container states this."""
-    options = {"movflags": "use_metadata_tags"}
-    with av.open(str(path), "w", options=options) as out:
-        stream = out.add_stream("libx264", rate=25)
-        stream.width, stream.height, stream.pix_fmt = 320, 240, "yuv420p"
-        out.metadata.update(of_file)
-        stream.metadata.update(of_stream)
-        for n in range(4):
-            out.mux(stream.encode(av.VideoFrame.from_ndarray(painted(n), format="bgr24")))
-        out.mux(stream.encode(None))
-    return path
 
 
 def stated(path: Path, tmp_path: Path) -> Stated:
@@ -60,13 +45,13 @@ def stated(path: Path, tmp_path: Path) -> Stated:
 def test_a_file_states_when_it_was_begun(
     tmp_path: Path, name: str, of_file: dict[str, str], begun: datetime | None
 ) -> None:
-    assert stated(clip(tmp_path / name, of_file, {}), tmp_path).begun_at == begun
+    assert stated(short_clip(tmp_path / name, of_file, {}), tmp_path).begun_at == begun
 
 
 @pytest.mark.parametrize(("text", "focal"), [("26.00mm", 26.0), ("50", 50.0), ("0mm", None), ("wide", None)])
 def test_a_file_states_its_focal_length(tmp_path: Path, text: str, focal: float | None) -> None:
     told = {"com.apple.quicktime.camera.focal_length.35mm_equivalent": text}
-    assert stated(clip(tmp_path / "a.mov", told, {}), tmp_path).focal_35mm_mm == focal
+    assert stated(short_clip(tmp_path / "a.mov", told, {}), tmp_path).focal_35mm_mm == focal
 
 
 def test_a_person_confirms_the_start(operator: Client, viewer: Client, recording_id: int) -> None:
@@ -172,7 +157,7 @@ def test_a_filming_rate_is_asked_for_and_gives_the_times(
     operator: Client, viewer: Client, survey_id: int, services: Services, tmp_path: Path
 ) -> None:
     """Four pictures played at 25 a second, filmed at 100: 1/100 s apart once somebody has said so."""
-    path = f"/recordings/{upload(operator, survey_id, clip(tmp_path / 'slow.mp4', SLOW, {}))}"
+    path = f"/recordings/{upload(operator, survey_id, short_clip(tmp_path / 'slow.mp4', SLOW, {}))}"
     before = read(operator, services, path)
     assert (before["clock_doubt"], before["filmed_hz"]) == ("slow_motion", None)
     assert before["duration_s"] == pytest.approx(4 / 25)
@@ -191,7 +176,7 @@ def test_a_recording_of_several_edits_stays_as_it_was_when_a_rate_is_stated(
     operator: Client, survey_id: int, services: Services, tmp_path: Path
 ) -> None:
     """An earlier version read it, with times that ran on over the jump."""
-    file = clip(tmp_path / "slow.mp4", SLOW, {})
+    file = short_clip(tmp_path / "slow.mp4", SLOW, {})
     path = f"/recordings/{upload(operator, survey_id, file)}"
     before = read(operator, services, path)
     with services.reading() as session:
