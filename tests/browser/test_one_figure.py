@@ -70,7 +70,7 @@ def measured(tmp_path_factory: pytest.TempPathFactory) -> Measured:
 
 @pytest.fixture(scope="module")
 def site(measured: Measured) -> Iterator[Server]:
-    server = start("serve", measured.data_dir)
+    server = start("serve --workers 0", measured.data_dir)  # nothing is left to do
     try:
         server.wait()
         yield server

@@ -5,7 +5,6 @@ import socket
 from collections.abc import Iterator
 from pathlib import Path
 
-import boto3
 import httpx2
 import pytest
 
@@ -25,6 +24,7 @@ pytestmark = [
 @pytest.fixture
 def environment() -> Iterator[dict[str, str]]:
     """What the compose file sets, with a bucket on a local server of the S3 protocol."""
+    import boto3
     from moto.server import ThreadedMotoServer
 
     storage = ThreadedMotoServer(ip_address="127.0.0.1", port=0, verbose=False)
