@@ -27,7 +27,7 @@ from sightline.infra.csv_package.schema import json_bytes, sha256_hex
 from sightline.infra.services import Services
 from sightline.messages.said import Said
 from tests.support.app import Client
-from tests.support.forgeries import WAYS, a_makers_height, roof
+from tests.support.forgeries import REFUSED_APART, WAYS, a_makers_height, roof
 from tests.support.ground import Ground, add_vehicle, measure
 from tests.support.mutations import checked, load, mutated, with_sums
 from tests.support.packages import (
@@ -53,7 +53,7 @@ def check(place: Path, *heads: str, key: str | None = None) -> PackageCheck:
 
 
 @pytest.mark.once
-@pytest.mark.parametrize("forge", every(4, WAYS), ids=lambda forge: forge.__name__)
+@pytest.mark.parametrize("forge", every(4, WAYS, REFUSED_APART), ids=lambda forge: forge.__name__)
 def test_what_is_forged_is_found(package: Path, forge: Callable[[Path], str]) -> None:
     said = forge(package)
     found = check(package)
@@ -372,7 +372,7 @@ FORMS: dict[str, tuple[str, Callable[[bytes], bytes], str]] = {
 
 
 @pytest.mark.once
-@pytest.mark.parametrize("form", every(3, FORMS))
+@pytest.mark.parametrize("form", every(3, FORMS, ["a key twice"]))
 def test_another_form_of_the_same_is_refused(package: Path, form: str) -> None:
     """Two programs might read two things in it."""
     name, change, said = FORMS[form]

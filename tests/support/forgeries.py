@@ -508,3 +508,21 @@ WAYS: tuple[Callable[[Path], str], ...] = (
     a_file_put_in,
     bytes_alone,
 )
+
+#: Each is refused at a place in the code where none of those is that every run tries.
+REFUSED_APART: tuple[Callable[[Path], str], ...] = (
+    a_height_in_one_table,
+    a_click_in_one_table,
+    a_pose_with_its_record,
+    a_row_taken_out,
+    a_vehicles_state,
+    a_share_of_u,
+    an_event_and_its_hash,
+    crops_exchanged,
+    a_foreign_key,
+    a_frame,
+    a_pose_s_maker,
+    a_parquet,
+    a_unit_of_a_parquet,
+    the_description,
+)
