@@ -83,6 +83,38 @@ def test_it_holds_pages_migrations_and_templates(wheel: Path) -> None:
     assert not any("__pycache__" in name or name.startswith("tests/") for name in names)
 
 
+def test_unpacked_it_finds_its_own_pages_and_migrations_and_says_its_version(
+    wheel: Path, tmp_path: Path
+) -> None:
+    """What a server asks of it; `make proofs` installs it and starts one."""
+    with zipfile.ZipFile(wheel) as packed:
+        packed.extractall(tmp_path / "library")
+    (empty := tmp_path / "empty").mkdir()
+    program = (
+        "from sightline.infra.database.engine import engine_at, migrate\n"
+        "from sightline.infra.version import code_version\n"
+        "from sightline.settings import Settings\n"
+        "settings = Settings()\n"
+        "with engine_at(settings.database_url) as engine: migrate(engine)\n"
+        "print(code_version(), settings.data_dir, settings.frontend_dir)"
+    )
+    plain = {k: v for k, v in os.environ.items() if not k.startswith(("SIGHTLINE_", "PYTHON"))}
+    library = {"PYTHONPATH": str(tmp_path / "library")}
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        cwd=empty,
+        env=plain | library,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    pages = tmp_path / "library" / "sightline" / "_pages"
+    assert done.stdout.split() == [VERSION, str(empty / ".data"), str(pages)]
+    assert "<title>Sightline" in (pages / "index.html").read_text()
+    assert (empty / ".data" / "sightline.db").is_file()
+
+
 @pytest.mark.proof
 def test_it_serves_the_app_from_an_empty_folder(served: Server) -> None:
     served.wait()
