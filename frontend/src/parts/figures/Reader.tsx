@@ -136,10 +136,9 @@ function wordsOf(drawn: Drawn, x: number, read: readonly Read[], place?: (x: num
   const [xLow, xHigh] = ends(drawn.x.domain);
   const [yLow, yHigh] = ends(drawn.y.domain);
   const digits = digitsOf(yLow, yHigh);
-  const interval = (low: string, high: string) => say("interval", { low, high });
   const value = place ? place(x) : fixed(x, digitsOf(xLow, xHigh));
   const values = read.map((one) =>
-    say("figure-read-value", { what: one.word || drawn.yLabel, value: valueWords(one, digits, interval) }),
+    say("figure-read-value", { what: one.word || drawn.yLabel, value: valueWords(one, digits) }),
   );
   return { place: say("figure-read-value", { what: drawn.xLabel, value }), values };
 }
