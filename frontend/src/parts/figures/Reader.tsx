@@ -11,24 +11,12 @@ interface Scale {
 }
 
 /** What was drawn, and how it is read. */
-export interface Drawn {
-  width: number;
-  height: number;
-  x: Scale;
-  y: Scale;
-  xLabel: string;
-  yLabel: string;
-  curves: readonly Readable[];
-}
+export type Drawn = NonNullable<ReturnType<typeof drawnOf>>;
 
 type Figure = (SVGSVGElement | HTMLElement) & { scale(name: "x" | "y"): unknown };
 
 /** Of a figure just drawn; null where nothing of it can be read. */
-export function drawnOf(
-  figure: Figure,
-  curves: readonly Readable[],
-  labels: { x: unknown; y: unknown },
-): Drawn | null {
+export function drawnOf(figure: Figure, curves: readonly Readable[], labels: { x: unknown; y: unknown }) {
   const [x, y] = [figure.scale("x") as Scale | undefined, figure.scale("y") as Scale | undefined];
   if (!x?.invert || !y || curves.length === 0) return null;
   const size = { width: Number(figure.getAttribute("width")), height: Number(figure.getAttribute("height")) };

@@ -2,8 +2,6 @@
 import { useState } from "preact/hooks";
 import { explain } from "../../core/api";
 
-export type OneByOne = ReturnType<typeof useOneByOne>;
-
 export function useOneByOne(send: (file: File) => Promise<void>) {
   const [waiting, setWaiting] = useState(0);
   const [refused, setRefused] = useState<readonly { name: string; problem: string }[]>([]);
