@@ -344,6 +344,29 @@ def test_traffic_by_the_clock_stands_below_the_results(
     traffic.screenshot(path=screenshots / "scan-traffic-1024.png")
 
 
+def test_errors_of_motion_lead_with_the_speed_and_stand_on_one_line(
+    page: Page, scan: dict[str, Any], screenshots: Path
+) -> None:
+    """Speed, length, wheelbase: what a study asks for first; no quantity breaks in two at 1024 px."""
+    page.set_viewport_size({"width": 1024, "height": 768})
+    page.goto(f"/surveys/{scan['survey_id']}/scans/results")
+    speeds, sizes = page.get_by_test_id("scan-reference-errors"), page.get_by_test_id("scan-errors")
+    expect(sizes).to_contain_text("Wheelbase, daytime")
+    rows = page.get_by_role("row").filter(has_text=re.compile("^(Speed|Length|Wheelbase), "))
+    told = [name.split(",")[0] for name in rows.all_inner_texts()]
+    assert told == sorted(told, key=["Speed", "Length", "Wheelbase"].index), told
+    speeds.scroll_into_view_if_needed()
+    page.screenshot(path=screenshots / "scan-errors-1024.png")
+    line = "it => parseFloat(getComputedStyle(it).lineHeight)"
+    for table in (speeds, sizes):
+        for name in table.locator("tbody td:first-child").all():
+            inside = name.evaluate("it => { const all = document.createRange(); all.selectNodeContents(it);"
+                                   " return all.getBoundingClientRect().height }")
+            assert inside < 1.5 * name.evaluate(line), name.inner_text()
+        width, room = table.evaluate("it => [it.parentElement.scrollWidth, it.parentElement.clientWidth]")
+        assert width <= room
+
+
 @pytest.mark.parametrize(
     ("locale", "views"),
     [

@@ -23,6 +23,7 @@ export { LongList } from "./LongList";
 export { Mark } from "./Mark";
 export { Menu } from "./Menu";
 export { PageHead, Panel } from "./Panel";
+export { Remark } from "./Remark";
 export { ShowOnce } from "./ShowOnce";
 export { type MarkShape, Shape, StateMark } from "./StateMark";
 export { type Column, type Columns, DataTable, num, Table } from "./Table";

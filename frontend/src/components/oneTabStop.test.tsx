@@ -1,8 +1,9 @@
+import { signal } from "@preact/signals";
 import { render } from "preact";
 import { useRef } from "preact/hooks";
 import { act } from "preact/test-utils";
 import { afterEach, beforeEach, expect, it } from "vitest";
-import { useOneTabStop } from "./oneTabStop";
+import { useOneTabStop, useRowsIn } from "./oneTabStop";
 
 function List({ current, rows }: { current: number; rows: number }) {
   const box = useRef<HTMLUListElement>(null);
@@ -64,4 +65,38 @@ it("goes by arrows, Home and End within its ends, and lets no other command hear
   expect(stops()).toEqual([3]); // leaving and coming back by Tab finds the place
   press("n");
   expect(heard).toEqual(["n"]);
+});
+
+const here = signal<number | null>(3);
+
+function Kept() {
+  const box = useRowsIn<HTMLUListElement>("li", "data-row", here);
+  return (
+    <ul ref={box} style={{ overflowY: "auto" }}>
+      {[1, 2, 3].map((id) => (
+        <li key={id} data-row={id} />
+      ))}
+    </ul>
+  );
+}
+
+it("keeps its current row in sight when the window gets smaller", async () => {
+  await act(async () => render(<Kept />, document.body));
+  const list = document.querySelector("ul");
+  if (!list) throw new Error("no list");
+  let height = 120;
+  Object.defineProperties(list, { clientHeight: { get: () => height }, scrollHeight: { value: 120 } });
+  list.getBoundingClientRect = () => ({ top: 0, bottom: height }) as DOMRect;
+  list.querySelectorAll("li").forEach((row, i) => {
+    const top = () => 40 * i - list.scrollTop;
+    row.getBoundingClientRect = () => ({ top: top(), bottom: top() + 40 }) as DOMRect;
+  });
+  const resized = async () => {
+    window.dispatchEvent(new Event("resize"));
+    await new Promise(requestAnimationFrame);
+    return list.scrollTop;
+  };
+  expect(await resized()).toBe(0);
+  height = 80;
+  expect(await resized()).toBe(40);
 });

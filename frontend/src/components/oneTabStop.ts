@@ -13,7 +13,10 @@ export function useRowsIn<E extends HTMLElement>(
   useOneTabStop(box, rows);
   useSignalEffect(() => {
     const current = id.value;
-    requestAnimationFrame(() => bringInSight(box.current, name, current));
+    const show = () => requestAnimationFrame(() => bringInSight(box.current, name, current));
+    show();
+    window.addEventListener("resize", show); // a smaller window has a smaller list
+    return () => window.removeEventListener("resize", show);
   });
   return box;
 }

@@ -12,20 +12,8 @@ export interface Hold {
 
 export const TypingHold = createContext<Hold | null>(null);
 
-export interface Typing {
-  readonly text: string;
-  /** What it would be told as. */
-  told(): string;
-  /** Something is typed and not yet told. */
-  open(): boolean;
-  type(text: string): void;
-  /** The field is left or Enter pressed: answers what is told if it differs from the value, else null. */
-  finish(): string | null;
-  undo(): void;
-}
-
 /** `usual` is the text that an emptied field stands for. */
-export function useTyping(value: string, usual = ""): Typing {
+export function useTyping(value: string, usual = "") {
   const [text, setText] = useState(value);
   const started = useRef<string | null>(null);
   const hold = useContext(TypingHold);
@@ -36,18 +24,21 @@ export function useTyping(value: string, usual = ""): Typing {
     started.current = null;
     hold?.end();
   };
+  /** What it would be told as. */
   const told = (): string => text.trim() || usual;
   return {
     text,
     told,
+    /** Something is typed and not yet told. */
     open: () => started.current !== null,
-    type(typed) {
+    type(typed: string) {
       if (started.current === null) {
         started.current = value;
         hold?.start();
       }
       setText(typed);
     },
+    /** The field is left or Enter pressed: answers what is told if it differs from the value, else null. */
     finish() {
       const before = started.current;
       if (before === null) return null;

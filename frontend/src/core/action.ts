@@ -1,18 +1,11 @@
 /** Something that a person sets going: whether it is still under way, and what went wrong. */
 import { useState } from "preact/hooks";
 
-export interface Action {
-  busy: boolean;
-  problem: unknown;
-  setProblem: (problem: unknown) => void;
-  /** Does the work and keeps what it throws as the problem; tells whether it went well. */
-  run: (work: () => Promise<unknown>) => Promise<boolean>;
-}
-
 /** `after`: done behind every one, also where it failed: what the page shows is read again. */
-export function useAction(after?: () => Promise<unknown>): Action {
+export function useAction(after?: () => Promise<unknown>) {
   const [busy, setBusy] = useState(false);
   const [problem, setProblem] = useState<unknown>(null);
+  /** Does the work and keeps what it throws as the problem; tells whether it went well. */
   const run = async (work: () => Promise<unknown>) => {
     setBusy(true);
     setProblem(null);

@@ -1,6 +1,6 @@
 /** Long work: poll the server's job table, tell progress, tell the end once. */
 import { useEffect, useState } from "preact/hooks";
-import { type Action, useAction } from "./action";
+import { useAction } from "./action";
 import { ApiError, api } from "./api";
 import { type Said, say, sentenceOf, sentencesOf } from "./messages";
 import type { Job } from "./types";
@@ -43,15 +43,7 @@ export function jobProblem(job: Job, otherwise: string): ApiError {
   return new ApiError(sentenceOf(job.error) ?? otherwise, 500);
 }
 
-export interface JobAction extends Action {
-  /** As it stands now; null: none is under way, or nothing is known of it yet. */
-  job: Job | null;
-  /** From the press that starts it until what it made was read. */
-  underWay: boolean;
-  start: (ask: () => Promise<Job>) => Promise<boolean>;
-  follow: (id: number | null) => void;
-  cancel: () => void;
-}
+export type JobAction = ReturnType<typeof useJobAction>;
 
 interface Following {
   /** Of one that is known to be under way already. */
@@ -62,10 +54,11 @@ interface Following {
 }
 
 /** A job that a person sets going, or that began by itself: followed until it is over and what it made was read. */
-export function useJobAction({ known = null, stopped, over }: Following): JobAction {
+export function useJobAction({ known = null, stopped, over }: Following) {
   const action = useAction();
   const { run, setProblem } = action;
   const [id, follow] = useState<number | null>(known);
+  /** As it stands now; null: none is under way, or nothing is known of it yet. */
   const [job, setJob] = useState<Job | null>(null);
   useEffect(() => {
     if (known !== null) follow(known);
@@ -92,7 +85,8 @@ export function useJobAction({ known = null, stopped, over }: Following): JobAct
   const cancel = () => {
     if (id !== null) void cancelJob(id).catch(setProblem);
   };
-  return { ...action, job, underWay: id !== null, start, follow, cancel };
+  const underWay = id !== null; // from the press that starts it until what it made was read
+  return { ...action, job, underWay, start, follow, cancel };
 }
 
 function sleep(ms: number, signal?: AbortSignal): Promise<void> {

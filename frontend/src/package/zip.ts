@@ -76,16 +76,9 @@ function within(zip: Blob, found: Directory): Directory {
   return found;
 }
 
-interface Central {
-  readonly path: string;
-  readonly size: number;
-  readonly packed: number;
-  readonly at: number;
-  readonly method: number;
-  readonly length: number;
-}
+type Central = ReturnType<typeof centralAt>;
 
-function centralAt(directory: DataView<ArrayBuffer>, at: number): Central {
+function centralAt(directory: DataView<ArrayBuffer>, at: number) {
   if (directory.getUint32(at, true) !== CENTRAL) throw new Error("no entry");
   if (directory.getUint16(at + 8, true) & ENCRYPTED) throw new Error("encrypted");
   const name = directory.getUint16(at + 28, true);

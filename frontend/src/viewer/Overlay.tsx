@@ -97,16 +97,23 @@ export interface MarkProps {
   kind: "contact" | "point";
   selected?: boolean;
   faint?: boolean;
+  /** Not clicked by anybody: a diamond, whatever it is of. */
+  proposed?: boolean;
   text?: string;
 }
 
+const SHAPES = {
+  contact: { path: "M0 3.5L8 15H-8ZM-5 0H-14M5 0H14", x: 17, y: 18 },
+  point: { path: "M8 0A8 8 0 11-8 0A8 8 0 118 0M-8 0H-14M8 0H14M0 -8V-14M0 8V14", x: 18, y: -6 },
+};
+const DIAMOND = "M0 -10L10 0L0 10L-10 0Z";
+
 /** A contact is a triangle standing on the road, a target a ring; the pixel itself stays free. */
-export function PointMark({ stage, at, kind, selected, faint, text }: MarkProps) {
+export function PointMark({ stage, at, kind, selected, faint, proposed, text }: MarkProps) {
   const [x, y] = stage.view.value.toScreen(at);
-  const shape =
-    kind === "contact"
-      ? "M0 3.5L8 15H-8ZM-5 0H-14M5 0H14"
-      : "M8 0A8 8 0 11-8 0A8 8 0 118 0M-8 0H-14M8 0H14M0 -8V-14M0 8V14";
+  const place = SHAPES[kind];
+  const shape = proposed ? DIAMOND : place.path;
+  const word = proposed ? { x: 15, y: kind === "contact" ? 20 : -8 } : { x: place.x, y: place.y };
   return (
     <g
       transform={`translate(${x} ${y})`}
@@ -115,11 +122,7 @@ export function PointMark({ stage, at, kind, selected, faint, text }: MarkProps)
       <path class="point-mark__halo" d={shape} />
       <path class="point-mark__line" d={shape} />
       {text && (
-        <text
-          class="overlay-word overlay-word--strong"
-          x={kind === "contact" ? 17 : 18}
-          y={kind === "contact" ? 18 : -6}
-        >
+        <text class="overlay-word overlay-word--strong" {...word}>
           {text}
         </text>
       )}

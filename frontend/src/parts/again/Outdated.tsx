@@ -1,5 +1,5 @@
 /** Beside a package: what was added or changed since it was built, as the server counted it. */
-import { Icon } from "../../components";
+import { Remark } from "../../components";
 import { allOf, say } from "../../core/messages";
 import type { Survey } from "../../core/types";
 
@@ -14,9 +14,8 @@ export function Outdated({ since }: { since: Survey["since_package"] }) {
   ].filter((words): words is string => words !== false);
   if (what.length === 0) return null;
   return (
-    <p class="small row" data-testid="package-outdated">
-      <Icon name="warning" size={14} />
-      <span class="grow">{say("export-outdated", { what: allOf(what) })}</span>
-    </p>
+    <Remark icon="warning" data-testid="package-outdated">
+      {say("export-outdated", { what: allOf(what) })}
+    </Remark>
   );
 }

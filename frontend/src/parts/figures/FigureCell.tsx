@@ -4,21 +4,21 @@ import { say } from "../../core/messages";
 import type { Interval } from "../../core/types";
 import { NONE, range, scaled } from "./numbers";
 
-interface FigureCellProps {
+interface FigureProps {
   figure: { value: number | null; ci95?: Interval | null } | undefined;
   /** What a number is multiplied by to be shown, and its decimals. */
   factor: number;
   digits: number;
-  title?: string;
   drawn?: (text: string) => ComponentChildren;
 }
 
-export function FigureCell({ figure, factor, digits, title, drawn = (text) => text }: FigureCellProps) {
+/** A figure over its 95 % interval. */
+export function Figure({ figure, factor, digits, drawn = (text) => text }: FigureProps) {
   return (
-    <td class="num" title={title}>
+    <>
       {drawn(scaled(figure?.value ?? null, factor, digits))}
       <div class="stat-ci">{range(figure?.ci95 ?? null, factor, digits) ?? NONE}</div>
-    </td>
+    </>
   );
 }
 

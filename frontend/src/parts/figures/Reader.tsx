@@ -11,24 +11,12 @@ interface Scale {
 }
 
 /** What was drawn, and how it is read. */
-export interface Drawn {
-  width: number;
-  height: number;
-  x: Scale;
-  y: Scale;
-  xLabel: string;
-  yLabel: string;
-  curves: readonly Readable[];
-}
+export type Drawn = NonNullable<ReturnType<typeof drawnOf>>;
 
 type Figure = (SVGSVGElement | HTMLElement) & { scale(name: "x" | "y"): unknown };
 
 /** Of a figure just drawn; null where nothing of it can be read. */
-export function drawnOf(
-  figure: Figure,
-  curves: readonly Readable[],
-  labels: { x: unknown; y: unknown },
-): Drawn | null {
+export function drawnOf(figure: Figure, curves: readonly Readable[], labels: { x: unknown; y: unknown }) {
   const [x, y] = [figure.scale("x") as Scale | undefined, figure.scale("y") as Scale | undefined];
   if (!x?.invert || !y || curves.length === 0) return null;
   const size = { width: Number(figure.getAttribute("width")), height: Number(figure.getAttribute("height")) };
@@ -136,10 +124,9 @@ function wordsOf(drawn: Drawn, x: number, read: readonly Read[], place?: (x: num
   const [xLow, xHigh] = ends(drawn.x.domain);
   const [yLow, yHigh] = ends(drawn.y.domain);
   const digits = digitsOf(yLow, yHigh);
-  const interval = (low: string, high: string) => say("interval", { low, high });
   const value = place ? place(x) : fixed(x, digitsOf(xLow, xHigh));
   const values = read.map((one) =>
-    say("figure-read-value", { what: one.word || drawn.yLabel, value: valueWords(one, digits, interval) }),
+    say("figure-read-value", { what: one.word || drawn.yLabel, value: valueWords(one, digits) }),
   );
   return { place: say("figure-read-value", { what: drawn.xLabel, value }), values };
 }

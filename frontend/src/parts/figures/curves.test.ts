@@ -5,9 +5,9 @@ import {
   aroundOne,
   densityMarks,
   ecdfMarks,
-  marginOf,
   noBandWords,
   shareStep,
+  standardAxes,
   standardMarks,
   standardTiers,
 } from "./curves";
@@ -45,7 +45,7 @@ describe("the names of standards", () => {
     expect(new Set(tops).size).toBe(4);
     expect(rules).toEqual(tops); // each rule goes up to its own name
     expect([...tops].sort((a, b) => a - b)).toEqual(tops); // and those to its right end below it
-    expect(marginOf(tiers)).toBeGreaterThan(-Math.min(...tops));
+    expect(standardAxes(tiers, "m").marginTop).toBeGreaterThan(-Math.min(...tops));
   });
 
   it("have the third decimal that their metres have", () => {

@@ -150,8 +150,15 @@ export function noBandWords(n: number): string | null {
   return n < LEAST_FOR_A_BAND ? say("figure-no-band", { n, least: LEAST_FOR_A_BAND }) : null;
 }
 
-export function marginOf(tiers: readonly Tier[]): number {
-  return TOP_PX + TIER_PX * tiers.length;
+/** Shares of vehicles over their heights, below the names of the standards. */
+export function standardAxes(tiers: readonly Tier[], unit: string) {
+  const marginTop = tiers.length * TIER_PX + TOP_PX;
+  return {
+    marginTop,
+    height: 296 + marginTop,
+    x: { label: say("statistics-height-x", { unit }), nice: true, inset: 16 },
+    y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
+  };
 }
 
 /** Standards as upright rules, each up to its names. */

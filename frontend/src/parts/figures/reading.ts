@@ -1,4 +1,5 @@
 /** What a figure's curves say at one place of its axis: for the pointer, the keyboard and a screen reader. */
+import { say } from "../../core/messages";
 import { fixed } from "../../core/units";
 
 export interface Readable {
@@ -106,12 +107,8 @@ export function digitsOf(low: number, high: number): number {
 }
 
 /** "80.0", with the band where there is one: "80.0 (44.4 to 97.5)". */
-export function valueWords(
-  read: Read,
-  digits: number,
-  interval: (low: string, high: string) => string,
-): string {
-  const value = fixed(read.y, digits);
-  if (read.low === null || read.high === null) return value;
-  return `${value} (${interval(fixed(read.low, digits), fixed(read.high, digits))})`;
+export function valueWords({ y, low, high }: Read, digits: number): string {
+  const value = fixed(y, digits);
+  if (low === null || high === null) return value;
+  return `${value} (${say("interval", { low: fixed(low, digits), high: fixed(high, digits) })})`;
 }

@@ -12,21 +12,7 @@ import type { Recording } from "../../core/types";
 /** What is known of a start: confirmed, or proposed. */
 export type Started = Pick<Recording, "started_local" | "time_zone" | "start_proposed">;
 
-export interface StartTyped {
-  local: string;
-  zone: string;
-  proposed: string | null;
-  /** The two offsets of an hour that the clocks showed twice, once the server has said so. */
-  twice: readonly string[];
-  offset: string;
-  setLocal: (time: string) => void;
-  setZone: (zone: string) => void;
-  setOffset: (offset: string) => void;
-  /** What is to be stored; null where nothing was typed. */
-  said: () => { local: string; time_zone: string } | null;
-  /** Stores it, and asks which of two hours is meant where that was the refusal. */
-  learning: (store: () => Promise<unknown>) => Promise<void>;
-}
+type StartTyped = ReturnType<typeof useStart>;
 
 /** That of the survey's place, else the browser's. */
 function usualZone(): string {
@@ -47,10 +33,11 @@ export function startWords(of: Started, unknown: string): string {
   return local ? say("filmed-proposed", { time: formatPlaceMoment(local), zone }) : unknown;
 }
 
-export function useStart(of: Started): StartTyped {
+export function useStart(of: Started) {
   const [zone, setZone] = useState(of.time_zone ?? usualZone());
   const [typed, setTyped] = useState<string | null>(shownLocal(of.started_local));
   const [offset, setOffset] = useState<string>(of.started_local?.slice(-6) ?? "");
+  /** The two offsets of an hour that the clocks showed twice, once the server has said so. */
   const [twice, setTwice] = useState<readonly string[]>([]);
   const proposed = of.start_proposed && placeTime(of.start_proposed, zone);
   const local = typed ?? proposed ?? "";
@@ -62,19 +49,21 @@ export function useStart(of: Started): StartTyped {
     proposed,
     twice,
     offset,
-    setLocal: (time) => {
+    setLocal: (time: string) => {
       setTyped(time);
       setTwice([]);
       setOffset("");
     },
-    setZone: (name) => {
+    setZone: (name: string) => {
       setZone(name);
       setTwice([]);
     },
     setOffset,
+    /** What is to be stored; null where nothing was typed. */
     said: () =>
       local ? { local: local + (twice.length > 0 || unchanged ? offset : ""), time_zone: zone.trim() } : null,
-    learning: async (store) => {
+    /** Stores it, and asks which of two hours is meant where that was the refusal. */
+    learning: async (store: () => Promise<unknown>) => {
       try {
         await store();
       } catch (error) {

@@ -9,16 +9,7 @@ import "./surveyFields.css";
 
 const LAMPS = wordsOf("place-lamps-", "present", "none");
 
-export interface TypedPlace {
-  latitude: string;
-  longitude: string;
-  road: string;
-  lane: string;
-  travel: string;
-  limit: string;
-  lamps: Place["street_lamps"];
-  zone: string;
-}
+export type TypedPlace = ReturnType<typeof typedPlace>;
 
 export const NO_PLACE: TypedPlace = {
   latitude: "",
@@ -31,7 +22,7 @@ export const NO_PLACE: TypedPlace = {
   zone: "",
 };
 
-export function typedPlace(place: Place): TypedPlace {
+export function typedPlace(place: Place) {
   const limit = place.speed_limit_mps;
   return {
     latitude: place.latitude_deg === null ? "" : String(place.latitude_deg),

@@ -1,18 +1,12 @@
 import { type Said, sentenceOf } from "../../core/messages";
 
-export interface Change {
-  name: string;
-  before: string | null;
-  after: string | null;
-}
-
 /** The whole stored row, for who verifies a package; the other names tell it in short. */
 const ROW = "row";
 
 type Fields = Record<string, unknown> | null;
 
 /** What differs between the two states of a record, field by field; null stands for "was not there". */
-export function changesOf(before: Fields, after: Fields): Change[] {
+export function changesOf(before: Fields, after: Fields) {
   const names = [...new Set([...Object.keys(before ?? {}), ...Object.keys(after ?? {})])];
   return names
     .filter((name) => name !== ROW)

@@ -158,13 +158,11 @@ function SendingState({ work }: { work: CameraWork }) {
           <span class="spinner" /> {say("camera-to-go", { count: work.waiting })}
         </p>
       )}
-      {work.sending
-        .filter((entry) => entry.problem !== null)
-        .map((entry) => (
-          <Notice kind="problem" key={entry.name}>
-            {entry.problem}
-          </Notice>
-        ))}
+      {work.refused.map(({ name, problem }) => (
+        <Notice kind="problem" key={name}>
+          {problem}
+        </Notice>
+      ))}
     </>
   );
 }

@@ -1,19 +1,12 @@
 import type { CameraDocument, CameraView } from "../../core/types";
 
-export interface Figure {
-  name: string;
-  value: number;
-  /** standard uncertainty, null when the calibration does not tell it */
-  u: number | null;
-  digits: number;
-  unit: string;
-}
+export type Figure = ReturnType<typeof figuresOf>[number];
 
 const BROWN = ["k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"];
 const FISHEYE = ["k1", "k2", "k3", "k4"];
 
 /** Focal lengths, principal point and distortion, each with its standard uncertainty where the covariance tells it. */
-export function figuresOf(camera: CameraDocument): Figure[] {
+export function figuresOf(camera: CameraDocument) {
   const sigma = (...names: string[]): number | null => {
     const at = camera.parameters.findIndex((parameter) => names.includes(parameter));
     const variance = at < 0 ? undefined : camera.covariance?.[at]?.[at];

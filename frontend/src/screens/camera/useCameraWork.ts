@@ -1,17 +1,13 @@
 import { useState } from "preact/hooks";
-import { api, explain } from "../../core/api";
+import { api } from "../../core/api";
 import { useJobAction } from "../../core/jobs";
 import { say } from "../../core/messages";
 import { refreshSurvey } from "../../core/survey";
 import { toast } from "../../core/toasts";
 import type { CalibrationImage, CameraDetail } from "../../core/types";
+import { useOneByOne } from "../../parts/uploads/oneByOne";
 import type { Board } from "./board";
 import type { Recipe } from "./CalibrateForm";
-
-export interface Sending {
-  name: string;
-  problem: string | null;
-}
 
 export function useCameraWork(
   camera: CameraDetail,
@@ -19,7 +15,6 @@ export function useCameraWork(
   reload: () => Promise<void>,
   set: (change: (now: CameraDetail) => CameraDetail) => void,
 ) {
-  const [sending, setSending] = useState<Sending[]>([]);
   const [shownId, setShownId] = useState<number | null>(
     camera.current_calibration_id ?? camera.calibrations.at(-1)?.id ?? null,
   );
@@ -43,24 +38,22 @@ export function useCameraWork(
     },
   });
 
-  /** One after the other: the server looks for the board in each before it takes the next. */
-  const addImages = async (files: File[]) => {
+  /** The server looks for the board in each before it takes the next. */
+  const sending = useOneByOne(async (body) => {
     if (!board) return;
-    const refused: Sending[] = [];
+    const where = { camera_id: camera.id, ...board };
+    const added = await api.write("POST /cameras/{camera_id}/images", where, { body });
+    set((now) => ({ ...now, images: [...now.images, added] }));
+  });
+  const addImages = async (files: File[]) => {
     setProblem(null);
-    setSending(files.map(waiting));
-    for (const [index, file] of files.entries()) {
-      const sent = await sendImage(camera.id, board, file);
-      if (typeof sent === "string") refused.push({ name: file.name, problem: sent });
-      else set((now) => ({ ...now, images: [...now.images, sent] }));
-      setSending([...refused, ...files.slice(index + 1).map(waiting)]);
-    }
+    await sending.add(files);
     await refreshSurvey();
   };
 
   return {
-    sending,
-    waiting: sending.filter((entry) => entry.problem === null).length,
+    waiting: sending.waiting,
+    refused: sending.refused,
     busy,
     problem,
     job,
@@ -114,19 +107,3 @@ export function useCameraWork(
 }
 
 export type CameraWork = ReturnType<typeof useCameraWork>;
-
-function waiting(file: File): Sending {
-  return { name: file.name, problem: null };
-}
-
-async function sendImage(cameraId: number, board: Board, file: File): Promise<CalibrationImage | string> {
-  try {
-    return await api.write(
-      "POST /cameras/{camera_id}/images",
-      { camera_id: cameraId, ...board },
-      { body: file },
-    );
-  } catch (error) {
-    return explain(error);
-  }
-}

@@ -20,6 +20,7 @@ import { toast, toastProblem } from "../../core/toasts";
 import type { CatalogueRow } from "../../core/types";
 import { formatSmall, lengthScale, plainLength } from "../../core/units";
 import { CATEGORY_WORDS } from "../../core/words";
+import { yearsOf } from "../../parts/vehicles/ModelYears";
 import { ImportDialog } from "./ImportDialog";
 import { ModelDialog } from "./ModelDialog";
 import { SIZE_WORDS, SIZES, type Size } from "./model";
@@ -158,11 +159,6 @@ function Models({ rows, edit, retire }: ModelsProps) {
       ]}
     />
   );
-}
-
-function yearsOf(row: CatalogueRow): string {
-  if (row.year_from === null && row.year_to === null) return "";
-  return `${row.year_from ?? ""}–${row.year_to ?? ""}`;
 }
 
 /** A size over its standard uncertainty; where it comes from stands in the title. */

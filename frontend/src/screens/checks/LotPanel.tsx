@@ -103,6 +103,11 @@ function Acts({ surveyId, shown, done }: Props) {
     if (yes) await act("inspect");
   };
   if (!may("reviewer")) return null;
+  const doing = (one: Act, start = () => act(one)) => ({
+    says: `lots-${one}` as const,
+    busy: busy === one,
+    onClick: () => void start(),
+  });
   return (
     <>
       <Problem error={problem} />
@@ -113,31 +118,15 @@ function Acts({ surveyId, shown, done }: Props) {
               <Button says="lots-judge" kind="primary" href={`/surveys/${surveyId}/review?lot=${lot.id}`} />
             )}
             <Button
-              says="lots-accept"
+              {...doing("accept")}
               kind={progress.may_accept ? "primary" : undefined}
-              busy={busy === "accept"}
               disabled={!progress.may_accept}
-              onClick={() => void act("accept")}
             />
-            <Button says="lots-inspect" busy={busy === "inspect"} onClick={() => void inspect()} />
-            {progress.judged === 0 && (
-              <Button
-                says="lots-dissolve"
-                kind="quiet"
-                busy={busy === "dissolve"}
-                onClick={() => void act("dissolve")}
-              />
-            )}
+            <Button {...doing("inspect", inspect)} />
+            {progress.judged === 0 && <Button {...doing("dissolve")} kind="quiet" />}
           </>
         )}
-        {state === "accepted" && (
-          <Button
-            says="lots-take-back"
-            icon="undo"
-            busy={busy === "take-back"}
-            onClick={() => void act("take-back")}
-          />
-        )}
+        {state === "accepted" && <Button {...doing("take-back")} icon="undo" />}
       </div>
       {state === "open" && progress.own > 0 && (
         <p class="small">{say("lots-own", { count: progress.own })}</p>

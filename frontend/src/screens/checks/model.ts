@@ -173,36 +173,29 @@ export class TrafficModel {
   async turn(): Promise<void> {
     const preview = this.preview.value;
     if (!preview) return;
-    this.turning.value = true;
-    await telling(async () => {
-      await api.write(
-        "POST /poses/{pose_id}/turn",
-        { pose_id: preview.pose_id },
-        { body: { turn_rad: preview.turn_rad } },
-      );
-      toast(say("checks-turn-done"));
+    const { pose_id, turn_rad } = preview;
+    await this.putPose(say("checks-turn-done"), async () => {
+      await api.write("POST /poses/{pose_id}/turn", { pose_id }, { body: { turn_rad } });
     });
-    await this.reload();
-    batch(() => {
-      if (this.preview.value === preview) this.preview.value = null;
-      this.turning.value = false;
-    });
-    void refreshSurvey();
+    if (this.preview.value === preview) this.preview.value = null;
   }
 
   /** Goes back to the pose before the turn, for every recording that uses the turned one. */
   async turnBack(): Promise<void> {
     const pose = this.pose.value;
     if (pose?.turned_from == null) return;
+    const body = { pose_id: pose.turned_from };
+    await this.putPose(say("checks-turn-back-done"), async () => {
+      for (const { id } of pose.recordings)
+        await api.write("PUT /recordings/{recording_id}", { recording_id: id }, { body });
+    });
+  }
+
+  private async putPose(done: string, work: () => Promise<void>): Promise<void> {
     this.turning.value = true;
     await telling(async () => {
-      for (const one of pose.recordings)
-        await api.write(
-          "PUT /recordings/{recording_id}",
-          { recording_id: one.id },
-          { body: { pose_id: pose.turned_from } },
-        );
-      toast(say("checks-turn-back-done"));
+      await work();
+      toast(done);
     });
     await this.reload();
     this.turning.value = false;

@@ -1,5 +1,5 @@
 /** The heart: passes on the left, the frame in the middle, the vehicle on the right, the timeline below. */
-import { useEffect, useMemo } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { Empty, Loading } from "../../components";
 import { Button } from "../../components/Button";
 import type { ButtonCommand } from "../../components/CommandButton";
@@ -11,6 +11,7 @@ import { canWork } from "../../core/session";
 import type { Target } from "../../core/types";
 import { TARGETS } from "../../core/words";
 import { FailedPage } from "../../parts/FailedPage";
+import { usePageModel } from "../../parts/pageModel";
 import { targetAction } from "../../parts/vehicles/TargetButton";
 import { frameCommands } from "../../viewer/stageCommands";
 import { FramePanel } from "./FramePanel";
@@ -24,11 +25,7 @@ import "./vehicle.css";
 import "./measure.css";
 
 export default function MeasureScreen({ surveyId }: ScreenProps) {
-  const model = useMemo(() => new MeasureModel(surveyId), [surveyId]);
-  useEffect(() => {
-    void model.load();
-    return () => model.close();
-  }, [model]);
+  const model = usePageModel(() => new MeasureModel(surveyId), [surveyId]);
   const steps = useMemo(() => stepsOf(model), [model]);
   const player = model.reel.player.value;
   useCommands([steps.undo, steps.redo, ...measureCommands(model), ...frameCommands(model.stage, player)]);

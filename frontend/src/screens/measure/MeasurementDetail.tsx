@@ -75,20 +75,16 @@ function InsetEditor({ model, entry }: { model: MeasureModel; entry: Entry }) {
         </span>
       </p>
       <div class="grid grid--close height-detail__inset">
-        <LengthField
-          says="measure-inset"
-          disabled={!canWork.value}
-          metres={now.inset_m}
-          check={check}
-          onCommit={(metres) => set({ inset_m: metres ?? now.inset_m })}
-        />
-        <LengthField
-          says="measure-inset-u"
-          disabled={!canWork.value}
-          metres={now.u_inset_m}
-          check={check}
-          onCommit={(metres) => set({ u_inset_m: metres ?? now.u_inset_m })}
-        />
+        {(["inset_m", "u_inset_m"] as const).map((name) => (
+          <LengthField
+            key={name}
+            says={name === "inset_m" ? "measure-inset" : "measure-inset-u"}
+            disabled={!canWork.value}
+            metres={now[name]}
+            check={check}
+            onCommit={(metres) => set({ [name]: metres ?? now[name] })}
+          />
+        ))}
       </div>
       {own && usual && canWork.value && (
         <Button

@@ -2,7 +2,7 @@
 
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { Button, choices, Icon, IconButton, Segments, StateMark } from "../../components";
+import { Button, choices, Icon, IconButton, Remark, Segments, StateMark } from "../../components";
 import { late } from "../../components/late";
 import { linkTo, Said } from "../../components/Said";
 import { hint } from "../../core/commands";
@@ -169,13 +169,16 @@ function Doubts({ model, entry }: { model: MeasureModel; entry: Entry }) {
   return (
     <>
       {found.map(({ kind, low_m, high_m }) => (
-        <p key={kind} class="height-row__said height-row__doubt" role="alert" data-testid={`doubt-${kind}`}>
-          <Icon name="warning" size={14} />
-          <span class="grow">
-            {say("measure-doubt", { kind, low: formatLength(low_m, 2), high: formatLength(high_m, 2) })}{" "}
-            {canWork.value && clickAgain(entry.values.target)}
-          </span>
-        </p>
+        <Remark
+          key={kind}
+          icon="warning"
+          class="height-row__said height-row__doubt"
+          role="alert"
+          data-testid={`doubt-${kind}`}
+        >
+          {say("measure-doubt", { kind, low: formatLength(low_m, 2), high: formatLength(high_m, 2) })}{" "}
+          {canWork.value && clickAgain(entry.values.target)}
+        </Remark>
       ))}
     </>
   );
@@ -203,16 +206,14 @@ function SaidOf({ model, entry }: { model: MeasureModel; entry: Entry }) {
       <FramesSaid m={m} />
       <PassSaid m={m} />
       {m.status !== "ok" && (
-        <p class="height-row__said">
-          <Icon name="warning" size={14} />
-          <span class="grow">{m.reason && sentenceOf(m.reason)}</span>
-        </p>
+        <Remark icon="warning" class="height-row__said">
+          {m.reason && sentenceOf(m.reason)}
+        </Remark>
       )}
       {m.flags.map((flag) => (
-        <p key={flag.code} class="height-row__said">
-          <Icon name="info" size={14} />
-          <span class="grow">{sentenceOf(flag)}</span>
-        </p>
+        <Remark key={flag.code} icon="info" class="height-row__said">
+          {sentenceOf(flag)}
+        </Remark>
       ))}
       {verdict !== "to_review" && (
         <p class="height-row__said">

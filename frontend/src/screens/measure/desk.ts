@@ -5,50 +5,34 @@ import type { Target, Vehicle } from "../../core/types";
 import type { Geometry } from "../../viewer/geometry";
 import type { ImagePoint } from "../../viewer/points";
 import type { Reel } from "../../viewer/reel";
-import type { FrameStage } from "../../viewer/stage";
 import type { Tool } from "../../viewer/tool";
 import type { Inset } from "../../viewer/values";
 import type { Snapping } from "./assist/snapping";
 import type { Changes } from "./fields";
-import type { Effect, Flow, FlowEvent, Role } from "./flow";
+import type { Effect, FlowEvent, Role } from "./flow";
 import type { Reading } from "./reading";
-import type { Entry, Records } from "./records";
 import type { Standing } from "./standing";
-import type { Vehicles } from "./vehicles";
+import type { PassTable, Table } from "./table";
 
-export interface Desk {
+export interface Desk extends Table {
   readonly reel: Reel;
-  readonly stage: FrameStage;
   readonly history: History;
   readonly snapping: Snapping;
   /** Whether contact clicks go to the tyre now. */
   readonly snaps: ReadonlySignal<boolean>;
   readonly geometry: Geometry;
-  readonly records: Records;
   readonly standing: Standing;
-  readonly flow: ReadonlySignal<Flow>;
-  readonly vehicleId: ReadonlySignal<number | null>;
-  readonly entries: ReadonlySignal<readonly Entry[]>;
-  /** The frame that is seen; -1 while none is. */
-  readonly seenFrame: ReadonlySignal<number>;
-  readonly contact: ReadonlySignal<ImagePoint | null>;
   readonly awaiting: ReadonlySignal<Role | null>;
   readonly hasPose: ReadonlySignal<boolean>;
   /** What a click comes to is carried out by the tool that dispatched it. */
   dispatch(event: FlowEvent): Effect | null;
   insetOf(target: Target): Inset | null;
-  /** What is asked for of the open vehicle and was not said to be unseen. */
-  asked(): readonly Target[];
   stepName(step: string): string;
   answered(): void;
 }
 
-/** The passes of the survey beside it. */
-export interface PassDesk extends Desk {
-  readonly surveyId: number;
-  readonly loaded: ReadonlySignal<boolean>;
+export interface PassDesk extends Desk, PassTable {
   readonly vehicle: ReadonlySignal<Vehicle | undefined>;
-  readonly vehicles: Vehicles;
   readonly reading: Reading;
   readonly list: ReadonlySignal<readonly Vehicle[]>;
   open(vehicle: Vehicle, frame?: number): void;

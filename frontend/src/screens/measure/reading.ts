@@ -1,20 +1,10 @@
 /** What the server has of the survey's vehicles: read at first, and again after something of them was stored. */
-import { batch, type ReadonlySignal } from "@preact/signals";
+import { batch } from "@preact/signals";
 import { say } from "../../core/messages";
 import { toast } from "../../core/toasts";
 import type { Vehicle } from "../../core/types";
 import { listVehicles, readVehicle } from "./ports";
-import type { Records } from "./records";
-import type { Vehicles } from "./vehicles";
-
-/** As much of the measure page as this needs. */
-interface Table {
-  readonly surveyId: number;
-  readonly loaded: ReadonlySignal<boolean>;
-  readonly vehicleId: ReadonlySignal<number | null>;
-  readonly vehicles: Vehicles;
-  readonly records: Records;
-}
+import type { PassTable } from "./table";
 
 const REST_MS = 250;
 
@@ -27,7 +17,7 @@ export class Reading {
 
   /** `doubted`: whether something of a vehicle was confirmed as proposed, so that a doubt about it is told. */
   constructor(
-    private readonly desk: Table,
+    private readonly desk: PassTable,
     private readonly doubted: (vehicleId: number) => boolean,
   ) {}
 

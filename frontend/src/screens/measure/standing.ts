@@ -1,20 +1,10 @@
 /** What stands of the open vehicle: its measurements, their points on the frame that is seen, and the targets still missing. */
-import type { ReadonlySignal } from "@preact/signals";
 import type { Target } from "../../core/types";
 import { type ImagePoint, samePoint } from "../../viewer/points";
 import { type FramePoints, pointsOn } from "../../viewer/values";
 import type { Selection } from "./flow";
-import { type Entry, isStored, type Records } from "./records";
-
-/** As much of the measure page as this needs. */
-interface Table {
-  readonly records: Records;
-  readonly vehicleId: ReadonlySignal<number | null>;
-  readonly entries: ReadonlySignal<readonly Entry[]>;
-  readonly seenFrame: ReadonlySignal<number>;
-  readonly contact: ReadonlySignal<ImagePoint | null>;
-  asked(): readonly Target[];
-}
+import { type Entry, isStored } from "./records";
+import type { Table } from "./table";
 
 export class Standing {
   constructor(private readonly desk: Table) {}

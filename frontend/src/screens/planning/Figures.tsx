@@ -1,5 +1,4 @@
 import { say } from "../../core/messages";
-import type { Curve } from "../../core/types";
 import { lengthScale, lengthUnit, smallScale } from "../../core/units";
 import { type Dot, PlotFigure } from "../../parts/figures/PlotFigure";
 import { readable } from "../../parts/figures/reading";
@@ -14,69 +13,26 @@ const LOOKS: Record<string, { dash: string; dot: Dot }> = {
   headlight: { dash: "9 3 2 3", dot: "cross" },
 };
 
-export function DistanceFigure({ plan }: { plan: Plan }) {
-  return (
-    <Figure
-      name="plan-distance"
-      at="distance_m"
-      title={say("planning-figure-distance-title")}
-      note={say("planning-figure-distance-note")}
-      curves={plan.U95_over_distance}
-      words={(unit, small) => ({
-        label: say("planning-figure-distance-label", { unit, small }),
-        x: say("planning-figure-distance-x", { unit }),
-        y: say("planning-figure-distance-y", { unit: small }),
-      })}
-      marker={plan.site.distance_m}
-      fromZero
-    />
-  );
-}
+const OF = {
+  distance: (plan: Plan) => ({ at: "distance_m", curves: plan.U95_over_distance }) as const,
+  bias: (plan: Plan) => ({ at: "camera_height_m", curves: plan.bias_over_camera_height }) as const,
+};
 
-export function BiasFigure({ plan }: { plan: Plan }) {
-  return (
-    <Figure
-      name="plan-bias"
-      at="camera_height_m"
-      title={say("planning-figure-bias-title")}
-      note={say("planning-figure-bias-note")}
-      curves={plan.bias_over_camera_height}
-      words={(unit, small) => ({
-        label: say("planning-figure-bias-label", { unit, small }),
-        x: say("planning-figure-bias-x", { unit }),
-        y: say("planning-figure-bias-y", { unit: small }),
-      })}
-      marker={plan.site.camera_height_m}
-    />
-  );
-}
-
-interface FigureProps {
-  name: string;
-  title: string;
-  note: string;
-  curves: readonly Curve[];
-  /** What the picture shows for those who do not see it, and its axes; `unit` across, `small` up. */
-  words: (unit: string, small: string) => { label: string; x: string; y: string };
-  at: string;
-  marker: number;
-  fromZero?: boolean;
-}
-
-function Figure({ name, title, note, curves, words, at, marker, fromZero }: FigureProps) {
+/** What a height will be worth over the distance, or what an ignored inset costs over the camera's height. */
+export function PlanFigure({ plan, of }: { plan: Plan; of: keyof typeof OF }) {
   const unit = lengthUnit.value;
+  const { at, curves } = OF[of](plan);
   const targets = curves.map((curve) => curve.target);
   return (
     <PlotFigure
-      name={name}
-      title={title}
-      says={words(unit, smallScale(unit)[1]).label}
-      note={`${note} ${say("planning-figure-bar")}`}
+      name={`plan-${of}`}
+      title={say(`planning-figure-${of}-title`)}
+      says={say(`planning-figure-${of}-label`, { unit, small: smallScale(unit)[1] })}
+      note={`${say(`planning-figure-${of}-note`)} ${say("planning-figure-bar")}`}
       legend={targets.map((target) => ({ word: wordOf(target), ...LOOKS[target] }))}
       data={curves}
       options={(plot, unit) => {
         const [[perX], [perY, small]] = [lengthScale(unit), smallScale(unit)];
-        const { x, y } = words(unit, small);
         const drawn = curves.map(({ target, at_m, value_m }) =>
           at_m.map((one, i) => ({ x: one * perX, y: times(value_m[i], perY), target })),
         );
@@ -90,15 +46,15 @@ function Figure({ name, title, note, curves, words, at, marker, fromZero }: Figu
         const hollow = { fill: "var(--surface)", stroke: "var(--ink)", strokeWidth: 1.5 };
         const dots = drawn.flat().filter((_, i) => i % 6 === 3);
         return {
-          x: { label: x },
-          y: { label: y, zero: fromZero, nice: true },
+          x: { label: say(`planning-figure-${of}-x`, { unit }) },
+          y: { label: say(`planning-figure-${of}-y`, { unit: small }), zero: of === "distance", nice: true },
           symbol: {
             domain: targets,
             range: targets.map((one) => LOOKS[one]?.dot ?? "circle"),
             legend: false,
           },
           marks: [
-            plot.ruleX([marker * perX], { stroke: "var(--accent)", strokeWidth: 3 }),
+            plot.ruleX([plan.site[at] * perX], { stroke: "var(--accent)", strokeWidth: 3 }),
             plot.ruleY([0], { stroke: "var(--line-strong)" }),
             ...lines,
             plot.dot(dots, { x: "x", y: "y", symbol: "target", r: 4, ...hollow }),

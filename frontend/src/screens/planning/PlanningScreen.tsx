@@ -5,7 +5,7 @@ import { say, wordsOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useAsked, useResource } from "../../core/resource";
 import { Advice } from "./Advice";
-import { BiasFigure, DistanceFigure } from "./Figures";
+import { PlanFigure } from "./Figures";
 import { LineRate } from "./LineRate";
 import type { Plan } from "./model";
 import { PassingTable } from "./PassingTable";
@@ -97,9 +97,9 @@ function Result({ plan }: { plan: Plan }) {
       <PassingTable passing={plan.passing} />
       <div class="plan-figures">
         <SiteAlong plan={plan} />
-        <DistanceFigure plan={plan} />
+        <PlanFigure plan={plan} of="distance" />
         <SiteAbove plan={plan} />
-        <BiasFigure plan={plan} />
+        <PlanFigure plan={plan} of="bias" />
       </div>
     </>
   );

@@ -8,13 +8,7 @@ const CAR = { width: 1.75, length: 4.3, tyre: 0.62 };
 const WIDTH = 540;
 const PAD = { left: 92, right: 16, top: 24, bottom: 72 };
 
-interface Frame {
-  x: (metres: number) => number;
-  y: (metres: number) => number;
-  scale: number;
-  far: number;
-  height: number;
-}
+type Frame = ReturnType<typeof framed>;
 
 export function SiteAlong({ plan }: { plan: Plan }) {
   return (
@@ -38,13 +32,13 @@ export function SiteAbove({ plan }: { plan: Plan }) {
   );
 }
 
-function framed(plan: Plan, up: number, down: number): Frame {
+function framed(plan: Plan, up: number, down: number) {
   const { distance_m, board_distance_m } = plan.site;
   const far = Math.max(distance_m + CAR.width + 0.3, board_distance_m + 0.3);
   const scale = (WIDTH - PAD.left - PAD.right) / far;
   return {
-    x: (metres) => PAD.left + metres * scale,
-    y: (metres) => PAD.top + (up - metres) * scale,
+    x: (metres: number) => PAD.left + metres * scale,
+    y: (metres: number) => PAD.top + (up - metres) * scale,
     scale,
     far,
     height: PAD.top + PAD.bottom + (up + down) * scale,

@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { DataTable, num, Panel, Table } from "../../components";
+import { DataTable, Panel } from "../../components";
 import { say, sentenceOf } from "../../core/messages";
 import { formatLength, formatSmall } from "../../core/units";
 import { budgetSource } from "../../core/words";
@@ -53,27 +53,22 @@ function Contributions({ targets }: { targets: readonly PlannedTarget[] }) {
   return (
     <details class="plan-parts" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>{say("planning-parts-title")}</summary>
-      <Table
+      <DataTable
         label={say("planning-parts-label")}
-        heads={[say("planning-parts-source"), ...measured.map((one) => num(wordOf(one.target)))]}
-      >
-        {sources.map((source, row) => (
-          <tr key={source}>
-            <td>{budgetSource(source)}</td>
-            {measured.map((one) => (
-              <Part key={one.target} one={one} row={row} />
-            ))}
-          </tr>
-        ))}
-        <tr class="plan-parts__sum">
-          <td>{say("planning-parts-sum")}</td>
-          {measured.map((one) => (
-            <td key={one.target} class="num">
-              {formatSmall(one.u_height_m)}
-            </td>
-          ))}
-        </tr>
-      </Table>
+        rows={[...sources.keys(), null]}
+        keyOf={(row) => row ?? "sum"}
+        rowAttributes={(row) => (row === null ? { class: "plan-parts__sum" } : {})}
+        columns={({ col, num }) => [
+          col(say("planning-parts-source"), (row) =>
+            row === null ? say("planning-parts-sum") : budgetSource(sources[row] ?? ""),
+          ),
+          ...measured.map((one) =>
+            num(wordOf(one.target), (row) =>
+              row === null ? formatSmall(one.u_height_m) : <Part one={one} row={row} />,
+            ),
+          ),
+        ]}
+      />
     </details>
   );
 }
@@ -81,9 +76,6 @@ function Contributions({ targets }: { targets: readonly PlannedTarget[] }) {
 function Part({ one, row }: { one: PlannedTarget; row: number }) {
   const part = one.budget[row];
   const most = Math.max(...one.budget.map((other) => other.u_m));
-  return (
-    <td class="num">
-      {part && part.u_m === most ? <strong>{formatSmall(part.u_m)}</strong> : formatSmall(part?.u_m ?? null)}
-    </td>
-  );
+  const words = formatSmall(part?.u_m ?? null);
+  return part?.u_m === most ? <strong>{words}</strong> : words;
 }

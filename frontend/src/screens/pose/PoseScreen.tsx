@@ -1,5 +1,4 @@
 /** Road pose: the board on the frame, its size and its height above the road; the road drawn over the picture. */
-import { useEffect, useMemo } from "preact/hooks";
 import { Button, Empty, Loading } from "../../components";
 import { CommandButton } from "../../components/CommandButton";
 import { useCommands } from "../../core/commands";
@@ -8,6 +7,7 @@ import type { ScreenProps } from "../../core/places";
 import { canWork } from "../../core/session";
 import type { BoardFinding } from "../../core/types";
 import { FailedPage } from "../../parts/FailedPage";
+import { usePageModel } from "../../parts/pageModel";
 import { linesShown } from "../../viewer/display";
 import { FrameView } from "../../viewer/FrameView";
 import { FoundBoard, RoadOverlay } from "../../viewer/PoseOverlay";
@@ -28,11 +28,7 @@ import { PoseResult } from "./PoseResult";
 import "./pose.css";
 
 export default function PoseScreen({ surveyId }: ScreenProps) {
-  const model = useMemo(() => new PoseModel(surveyId), [surveyId]);
-  useEffect(() => {
-    void model.load();
-    return () => model.close();
-  }, [model]);
+  const model = usePageModel(() => new PoseModel(surveyId), [surveyId]);
   const player = model.reel.player.value;
   useCommands([
     { id: "passBegin", label: say("pose-mark-first"), run: () => model.mark("first"), enabled: mayMark },

@@ -1,5 +1,5 @@
 /** Ten measurements to click again, one after the other, without their points; Esc stops, Ctrl+Z takes the last back. */
-import { useEffect, useMemo } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { Button, Empty, Loading } from "../../components";
 import { CommandButton } from "../../components/CommandButton";
 import { Said } from "../../components/Said";
@@ -10,6 +10,7 @@ import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { TARGET_WORDS, vehicleName } from "../../core/words";
 import { FailedPage } from "../../parts/FailedPage";
+import { usePageModel } from "../../parts/pageModel";
 import { BlindFrame } from "../../viewer/BlindFrame";
 import { frameCommands } from "../../viewer/stageCommands";
 import { Transport } from "../../viewer/Transport";
@@ -18,11 +19,7 @@ import "./repeats.css";
 
 export default function ClickAgainScreen({ surveyId }: ScreenProps) {
   const onlyOwn = query.value.get("of") !== "all";
-  const session = useMemo(() => new AgainSession(surveyId, onlyOwn), [surveyId, onlyOwn]);
-  useEffect(() => {
-    void session.load();
-    return () => session.close();
-  }, [session]);
+  const session = usePageModel(() => new AgainSession(surveyId, onlyOwn), [surveyId, onlyOwn]);
   const results = `/surveys/${surveyId}/repeats`;
   const { undo, redo } = useMemo(() => commandsOf(session), [session]);
   useCommands([

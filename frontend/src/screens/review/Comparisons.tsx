@@ -1,5 +1,5 @@
 /** The second click beside the first: before it, nothing is told; after it, how far apart they are. */
-import { Button, Icon, StateMark } from "../../components";
+import { Button, Remark, StateMark } from "../../components";
 import { Said } from "../../components/Said";
 import { say, sentenceOf } from "../../core/messages";
 import { me } from "../../core/session";
@@ -19,12 +19,7 @@ export function BlindPanel({ model, item }: { model: ReviewModel; item: ReviewIt
       key={m.id}
       data-testid="blind-panel"
     >
-      <header class="row row--far vehicle__head">
-        <h2>
-          {vehicleName(item.vehicle.number)} {TARGET_WORDS[m.target]}
-        </h2>
-        <StateMark state={m.review.verdict} />
-      </header>
+      <ItemHead item={item} />
       <div class="stack stack--near review__body">
         <h3>{say("review-blind-title")}</h3>
         <p>{say(model.blind.contact.value ? "review-blind-target" : "review-blind-contact")}</p>
@@ -38,6 +33,17 @@ export function BlindPanel({ model, item }: { model: ReviewModel; item: ReviewIt
         </footer>
       )}
     </aside>
+  );
+}
+
+export function ItemHead({ item: { vehicle, measurement } }: { item: ReviewItem }) {
+  return (
+    <header class="row row--far vehicle__head">
+      <h2>
+        {vehicleName(vehicle.number)} {TARGET_WORDS[measurement.target]}
+      </h2>
+      <StateMark state={measurement.review.verdict} />
+    </header>
   );
 }
 
@@ -85,18 +91,21 @@ function Row({ model, one }: { model: ReviewModel; one: Comparison }) {
       <p>
         <Who repeat={repeat} own={own} />
       </p>
-      <p class="row small">
-        <Icon name={one.agrees === null ? "info" : one.agrees ? "check" : "warning"} size={14} />
-        <span class="grow">{comparisonWords(one)}</span>
-        {own && (
-          <Button
-            says="review-again-take-back"
-            small
-            kind="quiet"
-            onClick={() => void model.takeBack(repeat)}
-          />
-        )}
-      </p>
+      <Remark
+        icon={one.agrees === null ? "info" : one.agrees ? "check" : "warning"}
+        action={
+          own && (
+            <Button
+              says="review-again-take-back"
+              small
+              kind="quiet"
+              onClick={() => void model.takeBack(repeat)}
+            />
+          )
+        }
+      >
+        {comparisonWords(one)}
+      </Remark>
     </div>
   );
 }

@@ -1,5 +1,5 @@
 /** Review: the queue on the left, the picture with its points in the middle, what is known and the verdict on the right. */
-import { useEffect, useMemo } from "preact/hooks";
+import { useMemo } from "preact/hooks";
 import { Button, Empty, Loading } from "../../components";
 import { type ButtonCommand, CommandButton } from "../../components/CommandButton";
 import { historyCommands, useUndoTools } from "../../components/undoTools";
@@ -9,6 +9,7 @@ import type { ScreenProps } from "../../core/places";
 import { may } from "../../core/session";
 import type { Measurement } from "../../core/types";
 import { FailedPage } from "../../parts/FailedPage";
+import { usePageModel } from "../../parts/pageModel";
 import { BlindFrame } from "../../viewer/BlindFrame";
 import type { Player } from "../../viewer/player";
 import { brightSwitch, frameCommands, loupeSwitch, pictureCommands } from "../../viewer/stageCommands";
@@ -23,11 +24,7 @@ import "../../parts/vehicles/passes.css";
 import "./review.css";
 
 export default function ReviewScreen({ surveyId }: ScreenProps) {
-  const model = useMemo(() => new ReviewModel(surveyId), [surveyId]);
-  useEffect(() => {
-    void model.load();
-    return () => model.close();
-  }, [model]);
+  const model = usePageModel(() => new ReviewModel(surveyId), [surveyId]);
   const player = model.reel.player.value;
   const steps = useMemo(() => historyCommands(model.history, { back: () => model.stage.back() }), [model]);
   useUndoTools(model.history, steps);

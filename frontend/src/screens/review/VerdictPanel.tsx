@@ -1,5 +1,5 @@
 /** What is known of the reviewed measurement, and the verdict: accept, fix, reject with a reason. */
-import { Button, Facts, Icon, Notice, StateMark } from "../../components";
+import { Button, Facts, Notice, Remark } from "../../components";
 import { Said } from "../../components/Said";
 import { allOf, say, sentenceOf } from "../../core/messages";
 import { may } from "../../core/session";
@@ -7,13 +7,13 @@ import { survey } from "../../core/survey";
 import { formatFrameTime, formatMoment, formatPlaceMoment } from "../../core/times";
 import type { LineHeight, Measurement, ReviewItem } from "../../core/types";
 import { formatHeight, formatLength } from "../../core/units";
-import { heightWords, INSET_PLACE_WORDS, LIGHTING_NOUNS, TARGET_WORDS, vehicleName } from "../../core/words";
+import { heightWords, INSET_PLACE_WORDS, LIGHTING_NOUNS } from "../../core/words";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { StaleMarks } from "../../parts/again/StaleMarks";
 import { Budget } from "../../parts/vehicles/Budget";
 import { Revisions } from "../../parts/vehicles/Revisions";
 import { JudgeButton } from "../../parts/verdicts/Reject";
-import { BlindPanel, Comparisons, RejectButton, Rejecting } from "./Comparisons";
+import { BlindPanel, Comparisons, ItemHead, RejectButton, Rejecting } from "./Comparisons";
 import { type Height, isOfFrame, isOfLine } from "./kinds";
 import type { ReviewModel } from "./model";
 import { Pieces } from "./Pieces";
@@ -23,28 +23,21 @@ export function VerdictPanel({ model, item }: { model: ReviewModel; item: Review
   if (model.hidden.value) return <BlindPanel model={model} item={item} />;
   return (
     <aside class="desk__side review__side" aria-label={say("review-measurement")} key={m.id}>
-      <header class="row row--far vehicle__head">
-        <h2>
-          {vehicleName(item.vehicle.number)} {TARGET_WORDS[m.target]}
-        </h2>
-        <StateMark state={m.review.verdict} />
-      </header>
+      <ItemHead item={item} />
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard must reach it */}
       <div class="stack stack--near review__body" role="group" aria-label={say("review-facts")} tabIndex={0}>
         <p class="vehicle__height">{heightWords(m)}</p>
         {m.review.lot_id !== null && m.review.verdict === "accepted" && (
-          <p class="small row">
-            <Icon name="info" size={14} /> {say("lots-by-lot")}
-          </p>
+          <Remark icon="info">{say("lots-by-lot")}</Remark>
         )}
         <StaleMarks measurementId={m.id} />
         {isOfLine(m) && m.older && <p>{say("scan-height-older")}</p>}
         <OutOfDateNotice surveyId={model.surveyId} computed={() => model.load()} />
         {m.reason && <p>{sentenceOf(m.reason)}</p>}
         {m.flags.map((flag) => (
-          <p key={flag.code} class="small row">
-            <Icon name="info" size={14} /> {sentenceOf(flag)}
-          </p>
+          <Remark key={flag.code} icon="info">
+            {sentenceOf(flag)}
+          </Remark>
         ))}
         <Signs item={item} />
         <Comparisons model={model} />
@@ -132,15 +125,12 @@ function Signs({ item }: { item: ReviewItem }) {
   const { signs } = item.judged;
   if (signs.length === 0) return null;
   return (
-    <p class="small row" data-testid="review-signs">
-      <Icon name="warning" size={14} />
-      <span class="grow">
-        <Said
-          what="review-signs"
-          values={{ signs: allOf(signs.map((sign) => say("review-sign", { sign }))) }}
-        />
-      </span>
-    </p>
+    <Remark icon="warning" data-testid="review-signs">
+      <Said
+        what="review-signs"
+        values={{ signs: allOf(signs.map((sign) => say("review-sign", { sign }))) }}
+      />
+    </Remark>
   );
 }
 

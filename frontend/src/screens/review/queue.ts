@@ -4,6 +4,7 @@ import { asked } from "../../core/address";
 import { api } from "../../core/api";
 import { telling, toastProblem } from "../../core/toasts";
 import type { ReviewItem, ReviewPlan, ReviewWork, Verdict } from "../../core/types";
+import { beside, nextThat } from "../../parts/worklist";
 import { type Height, readHeight } from "./kinds";
 
 /** The states that the queue can be asked for; reopened ones are to review again. */
@@ -64,16 +65,12 @@ export class ReviewQueue {
   }
 
   beside(id: number | null, step: 1 | -1): ReviewItem | undefined {
-    const items = this.items.value ?? [];
-    return items[items.findIndex((item) => item.measurement.id === id) + step];
+    return beside(this.items.value ?? [], id, step);
   }
 
   /** The next after an item that waits for this person's verdict; from the beginning if none comes after it. */
   waitsAfter(id: number): ReviewItem | undefined {
-    const items = this.items.value ?? [];
-    const at = items.findIndex((item) => item.measurement.id === id);
-    const waits = (item: ReviewItem): boolean => !item.mine && isWaiting(item.measurement);
-    return items.find((item, i) => i > at && waits(item)) ?? items.find(waits);
+    return nextThat(this.items.value ?? [], id, (item) => !item.mine && isWaiting(item.measurement));
   }
 
   /** The measurement as it is now, in the place of what was read. What was told of another revision does not hold of this one. */

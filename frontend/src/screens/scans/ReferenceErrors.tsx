@@ -17,11 +17,14 @@ export function ReferenceErrors({ found }: { found: ScanStatistics }) {
         rows={found.references}
         keyOf={(one) => `${one.quantity} ${one.source}`}
         columns={({ col, num }) => [
-          col(say("motion-references-of"), ({ quantity, source }) =>
-            say("motion-references-by", {
-              quantity: QUANTITY_WORDS[quantity],
-              source: source ? SOURCE_WORDS[source] : say("motion-references-all"),
-            }),
+          col(
+            say("motion-references-of"),
+            ({ quantity, source }) =>
+              say("motion-references-by", {
+                quantity: QUANTITY_WORDS[quantity],
+                source: source ? SOURCE_WORDS[source] : say("motion-references-all"),
+              }),
+            "nowrap",
           ),
           num(say("motion-references-n"), ({ errors }) => errors.n),
           num(say("motion-references-mean"), ({ quantity, errors }) =>

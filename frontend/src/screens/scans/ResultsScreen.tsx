@@ -75,8 +75,8 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
           <p class="small muted" data-testid="scan-counted">
             {countedWords(data, which === "accepted")}
           </p>
-          <SizeErrors found={data} />
           <ReferenceErrors found={data} />
+          <SizeErrors found={data} />
           <RunsOfCars found={data} />
           {[data.length_ratio, data.wheelbase_ratio].map(
             (one, n) =>

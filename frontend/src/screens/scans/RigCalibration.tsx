@@ -145,12 +145,7 @@ export function RigCalibration({ scan, onClose, put, take }: Props) {
   );
 }
 
-interface BesideTyped {
-  distance: string;
-  uDistance: string;
-  tape: string;
-}
-
+type BesideTyped = ReturnType<typeof besideOf>;
 type BesideName = keyof BesideTyped;
 type Said = Lane & { u_tape_ratio: number };
 
@@ -160,7 +155,7 @@ function standing({ rig }: Scan): Partial<Lane> {
   return distance_m === null ? {} : { distance_m, u_distance_m };
 }
 
-export function besideOf(scan: Scan): BesideTyped {
+export function besideOf(scan: Scan) {
   const { distance_m, u_distance_m } = standing(scan);
   return {
     distance: distance_m === undefined ? "" : typedLength(distance_m, DISTANCE_DIGITS),

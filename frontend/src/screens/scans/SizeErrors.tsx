@@ -18,7 +18,7 @@ export function SizeErrors({ found }: { found: ScanStatistics }) {
         rows={[...told(LENGTHS, found.length_errors), ...told(WHEELBASES, found.wheelbase_errors)]}
         keyOf={(_, index) => index}
         columns={({ col, num, across }) => [
-          col(say("motion-errors-of"), (one) => one.word),
+          col(say("motion-errors-of"), (one) => one.word, "nowrap"),
           num(say("motion-errors-n"), (one) => one.n),
           ...across(
             ({ n, reason }) => (n === 0 ? (sentenceOf(reason) ?? say("motion-errors-none")) : undefined),

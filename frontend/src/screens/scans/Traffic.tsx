@@ -18,7 +18,7 @@ import { formatPlaceClock, formatPlaceDay, formatPlaceMoment } from "../../core/
 import type { ScanTraffic, TrafficFigure, TrafficInterval, TrafficOfScans } from "../../core/types";
 import { fixed, heads, plainLength, speedScale } from "../../core/units";
 import type { Filmed } from "../../parts/filming/FilmedFields";
-import { FlowFigure, FundamentalFigure, placeOf, SpeedFigure } from "./TrafficFigures";
+import { FlowFigure, FundamentalFigure, percentileOf, placeOf, SpeedFigure } from "./TrafficFigures";
 
 interface Props {
   surveyId: number;
@@ -236,7 +236,7 @@ function spaceMean(one: TrafficInterval) {
 
 function Percentile({ one, percent }: { one: TrafficInterval; percent: number }) {
   const [by] = speedScale();
-  const found = one.percentiles.find((each) => each.percent === percent);
+  const found = percentileOf(one, percent);
   if (found?.value == null) return <span title={sentenceOf(found?.reason) ?? undefined}>–</span>;
   const { value, low, high } = found;
   return (

@@ -48,6 +48,10 @@ export function overIntervals(
   return readRows(rows, { ...channels, low: low && over(low), high: high && over(high) }, "steps");
 }
 
+export function percentileOf({ percentiles }: TrafficInterval, percent: number) {
+  return percentiles.find((one) => one.percent === percent);
+}
+
 function dayAxis({ intervals }: ScanTraffic) {
   const [first, last] = [intervals[0], intervals.at(-1)];
   const domain = first && last ? { domain: [from(first), until(last)] } : {};
@@ -60,6 +64,10 @@ export function busiest(intervals: readonly TrafficInterval[]): TrafficInterval 
   const among = whole.length > 0 ? whole : intervals;
   return among.reduce((found, one) => (one.flow_per_hour > found.flow_per_hour ? one : found));
 }
+
+/** An interval's figure over the whole of it, and how far it may be off in its middle. */
+const OVER = { x1: from, x2: until, stroke: "var(--ink)", strokeWidth: 2.5 };
+const SPREAD = { x: middle, stroke: "var(--ink-2)", strokeWidth: 1 };
 
 const FLOW = ["begins_at", "watched_s", "vehicles", "flow_per_hour", "flow_low", "flow_high"] as const;
 
@@ -82,21 +90,9 @@ export function FlowFigure({ scan, minutes }: { scan: ScanTraffic; minutes: numb
         y: { label: say("with-unit", { name: say("flows-flow"), unit: say("unit-per-hour") }), zero: true },
         marks: [
           plot.ruleY([0], { stroke: "var(--line-strong)" }),
-          plot.ruleX(scan.intervals, {
-            x: middle,
-            y1: "flow_low",
-            y2: "flow_high",
-            stroke: "var(--ink-2)",
-            strokeWidth: 1,
-          }),
+          plot.ruleX(scan.intervals, { ...SPREAD, y1: "flow_low", y2: "flow_high" }),
           readable(
-            plot.ruleY(scan.intervals, {
-              y: "flow_per_hour",
-              x1: from,
-              x2: until,
-              stroke: "var(--ink)",
-              strokeWidth: 2.5,
-            }),
+            plot.ruleY(scan.intervals, { ...OVER, y: "flow_per_hour" }),
             overIntervals(scan.intervals, {
               y: (one) => one.flow_per_hour,
               low: (one) => one.flow_low,
@@ -118,7 +114,7 @@ export function SpeedFigure({ scan }: { scan: ScanTraffic }) {
   const [by, unit] = speedScale();
   const seen = scan.intervals.filter((one) => one.space_mean_speed_mps.value !== null);
   const percentile = (percent: number) => (one: TrafficInterval) =>
-    (one.percentiles.find((each) => each.percent === percent)?.value ?? Number.NaN) * by;
+    (percentileOf(one, percent)?.value ?? Number.NaN) * by;
   const mean = (one: TrafficInterval) => (one.space_mean_speed_mps.value ?? Number.NaN) * by;
   return (
     <PlotFigure
@@ -136,15 +132,9 @@ export function SpeedFigure({ scan }: { scan: ScanTraffic }) {
           ...aroundOne([mean, percentile(15), percentile(85)].flatMap((each) => seen.map(each))),
         },
         marks: [
-          plot.ruleX(seen, {
-            x: middle,
-            y1: percentile(15),
-            y2: percentile(85),
-            stroke: "var(--ink-2)",
-            strokeWidth: 1,
-          }),
+          plot.ruleX(seen, { ...SPREAD, y1: percentile(15), y2: percentile(85) }),
           readable(
-            plot.ruleY(seen, { y: mean, x1: from, x2: until, stroke: "var(--ink)", strokeWidth: 2.5 }),
+            plot.ruleY(seen, { ...OVER, y: mean }),
             overIntervals(seen, { y: mean, low: percentile(15), high: percentile(85) }),
           ),
         ],
@@ -165,9 +155,7 @@ export function SpeedFigure({ scan }: { scan: ScanTraffic }) {
           one.measured,
           one.time_mean_speed_mps.value,
           one.space_mean_speed_mps.value,
-          ...[15, 50, 85].map(
-            (percent) => one.percentiles.find((each) => each.percent === percent)?.value ?? null,
-          ),
+          ...[15, 50, 85].map((percent) => percentileOf(one, percent)?.value ?? null),
         ]),
       })}
     />
@@ -175,16 +163,10 @@ export function SpeedFigure({ scan }: { scan: ScanTraffic }) {
 }
 
 /** An interval as a point of the fundamental diagram. */
-export interface TrafficState {
-  begins_at: string;
-  partial: boolean;
-  density_per_km: number;
-  flow_per_hour: number;
-  speed_mps: number;
-}
+export type TrafficState = ReturnType<typeof statesOf>[number];
 
 /** Of the intervals in which a speed counts: without one there is no density. */
-export function statesOf(intervals: readonly TrafficInterval[]): TrafficState[] {
+export function statesOf(intervals: readonly TrafficInterval[]) {
   return intervals.flatMap((one) => {
     const [density, speed] = [one.density_per_km.value, one.space_mean_speed_mps.value];
     if (density === null || speed === null) return [];

@@ -181,7 +181,7 @@ function ChooseLane({ model, m, lanes }: { model: ScanModel; m: ScanMotion; lane
       value={laneByPerson(m)}
       none={say("scan-lane-by-program")}
       options={lanes.map(({ name }) => ({ value: name, label: name }))}
-      onInput={(name) => void model.edits.storeLane(name)}
+      onInput={(name) => void model.edits.store("lane", name)}
     />
   );
 }
@@ -250,7 +250,7 @@ function Tools({ model, m }: { model: ScanModel; m: ScanMotion | null }) {
         />
       )}
       {m?.axles_by === "person" && (
-        <Button says="scan-axles-again" small onClick={() => void model.edits.storeAxles(null)} />
+        <Button says="scan-axles-again" small onClick={() => void model.edits.store("axles", null)} />
       )}
       {model.heights.kept.pose.value && (
         <Button

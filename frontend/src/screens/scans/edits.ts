@@ -9,10 +9,10 @@ import type { ScanVehicle } from "../../core/types";
 import { fixed } from "../../core/units";
 import type { Strips } from "./bench";
 import { ADDED } from "./kinds";
-import type { ScannedVehicles } from "./scanned";
-import type { Axles, Facts } from "./wanted";
+import type { Part, ScannedVehicles } from "./scanned";
+import type { Facts, ScannedWanted } from "./wanted";
 
-type Step = "scan-step-wheels" | "scan-step-axles" | "scan-step-lane";
+const STEPS = { hubs: "scan-step-wheels", axles: "scan-step-axles", lane: "scan-step-lane" } as const;
 
 export class VehicleEdits {
   constructor(
@@ -20,25 +20,12 @@ export class VehicleEdits {
     private readonly scanned: ScannedVehicles,
   ) {}
 
-  storeWheels(front: number | null, rear: number | null): Promise<void> {
-    return this.store("scan-step-wheels", this.scanned.hubs, [front, rear]);
-  }
-
-  /** Null: as the program finds them. */
-  storeAxles(lines: Axles): Promise<void> {
-    return this.store("scan-step-axles", this.scanned.axles, lines);
-  }
-
-  /** Null: as the program tells it. */
-  storeLane(lane: string | null): Promise<void> {
-    return this.store("scan-step-lane", this.scanned.lanes, lane);
-  }
-
-  private async store<V>(step: Step, ledger: Ledger<number, V>, value: V): Promise<void> {
+  /** A part of what a person says of the chosen vehicle; null: as the program finds it. */
+  async store<P extends Part>(part: P, said: ScannedWanted[P] | null): Promise<void> {
     const vehicle = this.bench.chosen.value;
     if (!vehicle?.measurement) return;
-    await this.bench.change(say(step, { vehicle: String(vehicle.number) }), (changes) =>
-      changes.write(ledger, vehicle.id, value),
+    await this.bench.change(say(STEPS[part as Part], { vehicle: String(vehicle.number) }), (changes) =>
+      changes.write(this.scanned.parts[part], vehicle.id, said),
     );
   }
 

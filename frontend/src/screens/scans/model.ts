@@ -60,7 +60,7 @@ export class ScanModel implements Strips {
   private readonly axlesTool: AxlesTool = new AxlesTool(
     this,
     () => this.axlesOfChosen.value,
-    (lines) => void this.edits.storeAxles(lines),
+    (lines) => void this.edits.store("axles", lines),
   );
   readonly twoLines: TwoLines = new TwoLines(this, (low, high) => void this.storeTwo(low, high));
   private readonly boundaryTool: Boundaries = new Boundaries(this, this.heights);
@@ -214,7 +214,7 @@ export class ScanModel implements Strips {
   private async storeTwo(low: number, high: number): Promise<void> {
     const mode = this.mode.value;
     this.mode.value = "look";
-    if (mode === "wheels") await this.edits.storeWheels(low, high);
+    if (mode === "wheels") await this.edits.store("hubs", [low, high]);
     else await this.edits.addVehicle(low, high);
   }
 

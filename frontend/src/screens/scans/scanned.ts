@@ -15,6 +15,8 @@ import { type Facts, type ScannedWanted, scannedWords } from "./wanted";
 type ScannedAbout = { id: number; scanId: number };
 export type ScannedWish = Wish<ScanVehicle, ScannedWanted, ScannedAbout>;
 
+export type Part = "hubs" | "axles" | "lane";
+
 export class ScannedVehicles {
   private readonly stored = signal<readonly ScanVehicle[]>([]);
   /** As they are wanted: what the outbox keeps stands in them. */
@@ -55,12 +57,14 @@ export class ScannedVehicles {
     write: ({ id }, facts) => this.want(id, { facts }),
   };
 
-  readonly hubs = this.part("hubs");
-  readonly axles = this.part("axles");
-  readonly lanes = this.part("lane");
+  readonly parts: { readonly [P in Part]: Ledger<number, ScannedWanted[P] | null> } = {
+    hubs: this.part("hubs"),
+    axles: this.part("axles"),
+    lane: this.part("lane"),
+  };
 
   /** A part of what a person says of a vehicle; null: as the program finds it. */
-  private part<P extends "hubs" | "axles" | "lane">(part: P): Ledger<number, ScannedWanted[P] | null> {
+  private part<P extends Part>(part: P): Ledger<number, ScannedWanted[P] | null> {
     return {
       read: (id) => standing(this.of(id))[part] ?? null,
       write: (id, said) => this.want(id, { [part]: said } as ScannedWanted),

@@ -12,7 +12,7 @@ export type Facts = Partial<
   >
 >;
 /** Lines of all hubs as a person says; null: as the program finds them. */
-export type Axles = readonly number[] | null;
+type Axles = readonly number[] | null;
 export type Hubs = readonly [front: number | null, rear: number | null];
 
 /** What a scanned vehicle is to become; what is left out stays. */

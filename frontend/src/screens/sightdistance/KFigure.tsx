@@ -6,12 +6,7 @@ import { CASE_WORDS, type Case, type Sight } from "./model";
 
 const DASHES: Record<string, string | undefined> = { standard: "6 4", survey: undefined, mix: "2 3" };
 
-interface Row {
-  speed: number;
-  k: number;
-  low: number | null;
-  high: number | null;
-}
+type Row = ReturnType<typeof rowsOf>[number];
 
 const AT = {
   x: (row: Row) => row.speed,
@@ -78,7 +73,7 @@ export function KFigure({ sight }: { sight: Sight }) {
   );
 }
 
-function rowsOf(one: Case, sight: Sight, perX: number, perY: number): Row[] {
+function rowsOf(one: Case, sight: Sight, perX: number, perY: number) {
   const scaled = (value: number | null) => (value === null ? null : value * perY);
   return one.k_m.map((k, i) => ({
     speed: Number(((sight.speeds_mps[i] ?? 0) * perX).toFixed(6)), // 30 km/h, not 30.000000000000004

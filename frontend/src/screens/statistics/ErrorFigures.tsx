@@ -1,5 +1,5 @@
 import { say, sentenceOf } from "../../core/messages";
-import type { Density, Ecdf } from "../../core/types";
+import type { Density, Ecdf, ErrorsBody, ReasonBody, TrendBody } from "../../core/types";
 import { lengthScale, smallScale } from "../../core/units";
 import {
   type Curve,
@@ -14,7 +14,7 @@ import {
 import { fixedRange, NONE, range, scaled } from "../../parts/figures/numbers";
 import { type LegendEntry, PlotFigure } from "../../parts/figures/PlotFigure";
 import { readable, readRows } from "../../parts/figures/reading";
-import { type Errors, GROUP_WORDS, isThere, type Reason, type Trend } from "./model";
+import { GROUP_WORDS, isThere } from "./model";
 
 const CURVES: Record<string, Omit<Curve, "word">> = {
   daytime: { band: true },
@@ -30,10 +30,10 @@ interface Drawn<T> {
 }
 
 /** The groups that have something to draw; one that equals "overall" is drawn once. */
-function drawn<T extends { n: number }>(parts: Record<string, T | Reason>): Drawn<T>[] {
+function drawn<T extends { n: number }>(parts: Record<string, T | ReasonBody>): Drawn<T>[] {
   const there = GROUPS.flatMap((group) => {
     const part = parts[group];
-    return part && isThere<T>(part as T | Reason)
+    return part && isThere<T>(part as T | ReasonBody)
       ? [{ group, part: part as T, curve: { ...CURVES[group], word: GROUP_WORDS[group] ?? group } }]
       : [];
   });
@@ -45,8 +45,8 @@ function drawn<T extends { n: number }>(parts: Record<string, T | Reason>): Draw
     : list.map((one) => ({ ...one, curve: { word: one.curve.word, band: true } }));
 }
 
-function reasonOf(parts: Record<string, { n: number } | Reason>): string | null {
-  if (drawn(parts as Record<string, { n: number } | Reason>).length > 0) return null;
+function reasonOf(parts: Record<string, { n: number } | ReasonBody>): string | null {
+  if (drawn(parts as Record<string, { n: number } | ReasonBody>).length > 0) return null;
   const overall = parts["overall"];
   return overall && "reason" in overall
     ? say("statistics-nothing-because", { reason: sentenceOf(overall.reason) })
@@ -54,7 +54,7 @@ function reasonOf(parts: Record<string, { n: number } | Reason>): string | null 
 }
 
 /** The figures of the error: its size, its share of the height, its density, and how it goes with the height. */
-export function ErrorFigures({ errors }: { errors: Errors }) {
+export function ErrorFigures({ errors }: { errors: ErrorsBody }) {
   return (
     <div class="stat-figures">
       <ShareFigure errors={errors} of="absolute" />
@@ -72,7 +72,7 @@ function counts(list: readonly Drawn<{ n: number }>[]): string {
 }
 
 /** Which share of the errors is no larger, by size or by their part of the height. */
-function ShareFigure({ errors, of }: { errors: Errors; of: "absolute" | "relative" }) {
+function ShareFigure({ errors, of }: { errors: ErrorsBody; of: "absolute" | "relative" }) {
   const list = drawn<Ecdf>(errors[of]);
   const groups = counts(list);
   return (
@@ -116,7 +116,7 @@ function densityNote(list: readonly Drawn<Density>[], rounded: boolean): string 
     : say("statistics-density-note", { bandwidths, groups });
 }
 
-function DensityFigure({ errors }: { errors: Errors }) {
+function DensityFigure({ errors }: { errors: ErrorsBody }) {
   const list = drawn<Density>(errors.density);
   return (
     <PlotFigure
@@ -156,14 +156,14 @@ const LIT = Object.keys(SYMBOLS) as Lit[];
 type Row = { height: number; error: number; lighting: Lit };
 
 /** Signed error over the true height, points told apart by shape, the regression with its band. */
-function TrendFigure({ errors }: { errors: Errors }) {
+function TrendFigure({ errors }: { errors: ErrorsBody }) {
   const { points } = errors;
   const rows: Row[] = points.reference_m.map((height, i) => ({
     height,
     error: points.error_m[i] as number,
     lighting: points.lighting[i] as Lit,
   }));
-  const line = isThere<Trend>(errors.trend) ? errors.trend : null;
+  const line = isThere<TrendBody>(errors.trend) ? errors.trend : null;
   const present = LIT.filter((one) => rows.some((row) => row.lighting === one));
   const legend: LegendEntry[] = present.map((one) => ({ word: GROUP_WORDS[one] ?? one, dot: SYMBOLS[one] }));
   if (line) legend.push({ word: say("statistics-trend-legend") });
@@ -237,8 +237,8 @@ function TrendFigure({ errors }: { errors: Errors }) {
 }
 
 /** "−12 mm per m (−20 to −4), r = −0.31 (…)." */
-export function trendWords({ trend, absolute_trend }: Errors): string {
-  if (!isThere<Trend>(trend)) return sentenceOf(trend.reason);
+export function trendWords({ trend, absolute_trend }: ErrorsBody): string {
+  if (!isThere<TrendBody>(trend)) return sentenceOf(trend.reason);
   const [factor, small] = smallScale();
   const [toLong, long] = lengthScale();
   const per = factor / toLong;
@@ -250,10 +250,10 @@ export function trendWords({ trend, absolute_trend }: Errors): string {
     slope_interval: range(trend.slope_ci95, per, digits) ?? NONE,
     ...correlationWords(trend),
   });
-  if (!isThere<Trend>(absolute_trend)) return signed;
+  if (!isThere<TrendBody>(absolute_trend)) return signed;
   return `${signed} ${say("statistics-trend-absolute", correlationWords(absolute_trend))}`;
 }
 
-function correlationWords({ correlation }: Trend) {
+function correlationWords({ correlation }: TrendBody) {
   return { correlation: scaled(correlation, 1, 2) };
 }

@@ -1,13 +1,14 @@
-import { num, Panel, Table } from "../../components";
+import { DataTable, Panel } from "../../components";
 import { Said } from "../../components/Said";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
+import type { ErrorGroupBody, ErrorsBody } from "../../core/types";
 import { formatCount, formatSmall, smallScale } from "../../core/units";
 import { csvOf, download } from "../../parts/figures/csv";
-import { FigureCell } from "../../parts/figures/FigureCell";
+import { Figure } from "../../parts/figures/FigureCell";
 import { FileButton } from "../../parts/figures/FileButton";
 import { NONE, range, scaled, squareScale } from "../../parts/figures/numbers";
 import { asInPaper } from "./filters";
-import { type ErrorGroup, type Errors, GROUP_WORDS, isThere } from "./model";
+import { GROUP_WORDS, isThere } from "./model";
 
 const HEADS = wordsOf("statistics-error-");
 
@@ -40,22 +41,28 @@ function headOf({ key, unit }: Column): string {
 }
 
 /** The paper's Table 1 for this survey, each figure with its interval, the printed one below it. */
-export function ErrorTable({ errors }: { errors: Errors }) {
+export function ErrorTable({ errors }: { errors: ErrorsBody }) {
   return (
     <Panel
       says="statistics-errors-title"
       aside={<FileButton as="csv" save={() => save(errors)} title={say("statistics-errors-save")} />}
     >
-      <Table
+      <DataTable
         label={say("statistics-errors-title")}
         class="stat-errors"
         data-testid="error-table"
-        heads={[say("statistics-errors-head"), num("n"), ...COLUMNS.map((column) => num(headOf(column)))]}
-      >
-        {errors.groups.map((group) => (
-          <Rows key={group.group} group={group} errors={errors} />
-        ))}
-      </Table>
+        rows={errors.groups.flatMap((group) => rowsOf(group, errors))}
+        keyOf={(_, at) => at}
+        rowAttributes={({ group: { group }, printed }) => ({
+          class: printed ? "stat-paper" : undefined,
+          "data-testid": printed ? `printed-${group}` : `errors-${group}`,
+        })}
+        columns={({ num, rowHead }) => [
+          rowHead(say("statistics-errors-head"), nameOf),
+          num("n", ({ group, paper, printed }) => (printed ? paper?.n : formatCount(group.n))),
+          ...COLUMNS.map((column) => num(headOf(column), (row) => figureOf(column, row))),
+        ]}
+      />
       <div class="stat-notes small">
         <p>
           {sentenceOf(errors.words)} {say("statistics-errors-note")}
@@ -84,7 +91,7 @@ export function ErrorTable({ errors }: { errors: Errors }) {
 }
 
 /** What the intervals hold: of all vehicles, or of the first group that has any. */
-function Holds({ errors }: { errors: Errors }) {
+function Holds({ errors }: { errors: ErrorsBody }) {
   const words = [...errors.groups].reverse().find((group) => group.words)?.words;
   return words ? (
     <p data-testid="error-holds">{say("statistics-errors-holds", { words: sentenceOf(words) })}</p>
@@ -95,46 +102,43 @@ const strong = (text: string) => <strong>{text}</strong>;
 /** A figure without an interval is of too few vehicles to be stressed. */
 const muted = (text: string) => <span class="muted">{text}</span>;
 
-function Rows({ group, errors }: { group: ErrorGroup; errors: Errors }) {
+interface Row {
+  group: ErrorGroupBody;
+  paper: ErrorsBody["paper"][number] | undefined;
+  /** What the paper printed of it. */
+  printed?: boolean;
+}
+
+function rowsOf(group: ErrorGroupBody, errors: ErrorsBody): Row[] {
   const paper = asInPaper() ? errors.paper.find((one) => one.group === group.group) : undefined;
+  return paper
+    ? [
+        { group, paper },
+        { group, paper, printed: true },
+      ]
+    : [{ group, paper }];
+}
+
+function nameOf({ group, paper, printed }: Row) {
+  if (printed) return say("statistics-paper-printed");
   return (
     <>
-      <tr data-testid={`errors-${group.group}`}>
-        <th scope="row">
-          {GROUP_WORDS[group.group] ?? group.group}
-          {paper && <div class="stat-ci">{say("statistics-stands-for", { group: group.title })}</div>}
-          {group.reason && <div class="stat-ci">{sentenceOf(group.reason)}</div>}
-          <NoIntervals group={group} />
-        </th>
-        <td class="num">{formatCount(group.n)}</td>
-        {COLUMNS.map((column) => {
-          const figure = group.figures[column.key];
-          const [factor, digits] = column.scale();
-          const drawn = figure?.ci95 ? strong : muted;
-          return (
-            <FigureCell key={column.key} figure={figure} factor={factor} digits={digits} drawn={drawn} />
-          );
-        })}
-      </tr>
-      {paper && (
-        <tr class="stat-paper">
-          <td>{say("statistics-paper-printed")}</td>
-          <td class="num">{paper.n}</td>
-          {COLUMNS.map((column) => {
-            const [factor, digits] = column.scale();
-            return (
-              <td key={column.key} class="num">
-                {scaled(column.paper ? paper[column.paper] : null, factor, digits)}
-              </td>
-            );
-          })}
-        </tr>
-      )}
+      {GROUP_WORDS[group.group] ?? group.group}
+      {paper && <div class="stat-ci">{say("statistics-stands-for", { group: group.title })}</div>}
+      {group.reason && <div class="stat-ci">{sentenceOf(group.reason)}</div>}
+      <NoIntervals group={group} />
     </>
   );
 }
 
-function NoIntervals({ group }: { group: ErrorGroup }) {
+function figureOf({ key, scale, paper: name }: Column, { group, paper, printed }: Row) {
+  const [factor, digits] = scale();
+  const figure = group.figures[key];
+  if (printed) return scaled((name && paper?.[name]) ?? null, factor, digits);
+  return <Figure figure={figure} factor={factor} digits={digits} drawn={figure?.ci95 ? strong : muted} />;
+}
+
+function NoIntervals({ group }: { group: ErrorGroupBody }) {
   const without = COLUMNS.filter((column) => group.figures[column.key]?.reason);
   const reason = without[0] && group.figures[without[0].key]?.reason;
   if (!reason) return null;
@@ -149,42 +153,34 @@ function NoIntervals({ group }: { group: ErrorGroup }) {
 }
 
 /** What the paper leaves out: how lopsided the errors are, and how many lie within so many centimetres. */
-function Shares({ errors }: { errors: Errors }) {
+function Shares({ errors }: { errors: ErrorsBody }) {
   return (
-    <Table
+    <DataTable
       label={say("statistics-shares-title")}
       class="stat-errors"
       data-testid="error-shares"
       caption={say("statistics-shares-title")}
-      heads={[
-        say("statistics-errors-head"),
-        num(say("statistics-skewness")),
-        ...WITHIN_MM.map((mm) => num(say("statistics-within", { within: formatSmall(mm / 1000) }))),
+      rows={errors.groups}
+      keyOf={({ group }) => group}
+      columns={({ num, rowHead }) => [
+        rowHead(say("statistics-errors-head"), ({ group }) => GROUP_WORDS[group] ?? group),
+        num(say("statistics-skewness"), ({ figures }) => (
+          <Figure figure={figures["skewness"]} factor={1} digits={2} drawn={strong} />
+        )),
+        ...WITHIN_MM.map((mm) =>
+          num(say("statistics-within", { within: formatSmall(mm / 1000) }), ({ figures }) => (
+            <Figure figure={figures[`share_within_${mm}_mm`]} factor={100} digits={0} drawn={strong} />
+          )),
+        ),
       ]}
-    >
-      {errors.groups.map(({ group, figures }) => (
-        <tr key={group}>
-          <th scope="row">{GROUP_WORDS[group] ?? group}</th>
-          <FigureCell figure={figures["skewness"]} factor={1} digits={2} drawn={strong} />
-          {WITHIN_MM.map((mm) => (
-            <FigureCell
-              key={mm}
-              figure={figures[`share_within_${mm}_mm`]}
-              factor={100}
-              digits={0}
-              drawn={strong}
-            />
-          ))}
-        </tr>
-      ))}
-    </Table>
+    />
   );
 }
 
 const WITHIN_MM = [10, 15, 20, 30, 40] as const;
 
 /** The reference's own part of the variance, and Bland and Altman's limits. */
-function Agreement({ errors }: { errors: Errors }) {
+function Agreement({ errors }: { errors: ErrorsBody }) {
   const part = errors.reference_part;
   const limits = errors.bland_altman;
   const [factor, unit] = smallScale();
@@ -215,7 +211,7 @@ function Agreement({ errors }: { errors: Errors }) {
   );
 }
 
-function save(errors: Errors): void {
+function save(errors: ErrorsBody): void {
   const columns = ["source", "group", "n"];
   for (const { key } of COLUMNS) columns.push(key, `${key}_ci95_low`, `${key}_ci95_high`);
   const own = errors.groups.map((group) => [

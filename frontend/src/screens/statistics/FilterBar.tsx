@@ -2,13 +2,13 @@ import { Button, Checklist, type Choice, choices, DateField, named, OptionalFiel
 import { CommitField } from "../../components/CommitField";
 import { query, setQuery } from "../../core/address";
 import { say, wordsOf } from "../../core/messages";
+import type { StatisticsBody } from "../../core/types";
 import { kept, lengthUnit, parseSmall, smallScale, smallText } from "../../core/units";
 import { ASKABLE, HEIGHT_WORDS, LIGHTING_WORDS, STATE_WORDS } from "../../core/words";
 import { fixedRange } from "../../parts/figures/numbers";
 import { FilmedFields, filmedOf } from "../../parts/filming/FilmedFields";
 import { ClassChoice } from "../../parts/vehicles/ClassChoice";
 import { CORRECTIONS, narrowed, type SingleName, setFilter, WIDE } from "./filters";
-import type { Statistics } from "./model";
 
 const CORRECTION_WORDS = wordsOf("statistics-correction-");
 
@@ -28,7 +28,7 @@ const MORE: readonly SingleName[] = [
 ];
 
 /** What counts, and how figures are made. Each change goes into the address, and from there to the server. */
-export function FilterBar({ found }: { found: Statistics | null }) {
+export function FilterBar({ found }: { found: StatisticsBody | null }) {
   const at = query.value;
   const choice = (name: SingleName, label: string, none: string, options: readonly Choice<string>[]) => (
     <OptionalField
@@ -97,7 +97,7 @@ export function FilterBar({ found }: { found: Statistics | null }) {
   );
 }
 
-function Surveys({ found, chosen }: { found: Statistics | null; chosen: readonly string[] }) {
+function Surveys({ found, chosen }: { found: StatisticsBody | null; chosen: readonly string[] }) {
   const list = found?.surveys ?? [];
   const only = chosen.length === 1 ? list.find((one) => String(one.id) === chosen[0]) : undefined;
   const word =

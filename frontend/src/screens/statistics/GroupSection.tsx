@@ -1,14 +1,14 @@
 import { useState } from "preact/hooks";
-import { Panel, Segments, Table } from "../../components";
+import { Panel, Segments } from "../../components";
 import { say, wordsOf } from "../../core/messages";
-import type { Ecdf } from "../../core/types";
+import type { Ecdf, TargetBody } from "../../core/types";
 import { lengthScale } from "../../core/units";
 import { HEIGHT_WORDS } from "../../core/words";
 import { type Curve, ECDF_COLUMNS, ecdfMarks, ecdfRows } from "../../parts/figures/curves";
 import type { Hue } from "../../parts/figures/hues";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
-import { type Group, groupWord, isThere, type OfTarget } from "./model";
-import { SpreadCells, spreadHeads } from "./spread";
+import { type Group, groupWord, isThere } from "./model";
+import { SpreadTable } from "./spread";
 
 /** Neighbours differ in hue, the fourth and on in their dashes too. */
 const HUES = 3;
@@ -20,7 +20,7 @@ const GROUPING_WORDS = wordsOf("statistics-grouping-");
 const PERCENTS = [10, 50, 90];
 
 /** Corrected heights of one target, by category, set of classes, lighting, site or operator. */
-export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
+export function GroupSection({ targets }: { targets: readonly TargetBody[] }) {
   const [grouping, setGrouping] = useState<GroupingName>("category");
   const there = targets.filter((one) => one.corrected.n > 0);
   const [chosen, setChosen] = useState("driver_eye");
@@ -53,7 +53,7 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
       data-testid="groups"
     >
       <div class="grid pad stat-groups">
-        <PlotFigure
+        <GroupsFigure
           name={`${target.target}-by-${grouping}`}
           title={say("statistics-groups-figure", { target: title, grouping })}
           says={say("statistics-groups-says", { target: title, grouping, count: curves.length })}
@@ -66,29 +66,69 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
                 })
               : undefined
           }
-          legend={curves.map(({ curve }) => curve)}
-          reason={curves.length === 0 ? say("statistics-groups-nothing", { grouping }) : null}
-          data={[target, grouping]}
-          options={(plot, unit) => {
-            const [perX, long] = lengthScale(unit);
-            return {
-              x: { label: say("statistics-height-x", { unit: long }), nice: true, inset: 6 },
-              y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
-              marks: [...curves.flatMap(({ ecdf, curve }) => ecdfMarks(plot, ecdf, curve, perX))],
-            };
-          }}
-          table={() => ({
-            columns: [grouping, "height_m", ...ECDF_COLUMNS],
-            rows: groups.flatMap((one) => (isThere<Ecdf>(one.ecdf) ? ecdfRows(one.word, one.ecdf) : [])),
-          })}
+          groups={groups}
+          curves={curves}
+          none={say("statistics-groups-nothing", { grouping })}
+          across={["statistics-height-x", "height_m"]}
+          by={grouping}
         />
-        <GroupTable groups={groups} grouping={grouping} />
+        <SpreadTable
+          label={say("statistics-groups-head", { grouping })}
+          rows={groups.map((one) => ({ ...one, key: one.word, word: groupWord(grouping, one.word) }))}
+          percents={PERCENTS}
+          decimals={3}
+        />
       </div>
     </Panel>
   );
 }
 
-export function drawn(groups: readonly Group[], grouping: string): { ecdf: Ecdf; curve: Curve }[] {
+interface GroupsFigureProps {
+  name: string;
+  title: string;
+  says: string;
+  note?: string;
+  groups: readonly Group[];
+  curves: ReturnType<typeof drawn>;
+  /** Said where nothing can be drawn. */
+  none: string;
+  /** The axis, and what it is called in the CSV, beside what the groups are `by`. */
+  across: readonly ["statistics-height-x" | "statistics-lateral-x", string];
+  by: string;
+}
+
+/** Which share of each group is no higher, or no further across the road. */
+export function GroupsFigure({
+  groups,
+  curves,
+  none,
+  across: [axis, name],
+  by,
+  ...words
+}: GroupsFigureProps) {
+  return (
+    <PlotFigure
+      {...words}
+      legend={curves.map(({ curve }) => curve)}
+      reason={curves.length === 0 ? none : null}
+      data={[groups, by]}
+      options={(plot, unit) => {
+        const [perX, long] = lengthScale(unit);
+        return {
+          x: { label: say(axis, { unit: long }), nice: true, inset: 6 },
+          y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
+          marks: curves.flatMap(({ ecdf, curve }) => ecdfMarks(plot, ecdf, curve, perX)),
+        };
+      }}
+      table={() => ({
+        columns: [by, name, ...ECDF_COLUMNS],
+        rows: groups.flatMap((one) => (isThere<Ecdf>(one.ecdf) ? ecdfRows(one.word, one.ecdf) : [])),
+      })}
+    />
+  );
+}
+
+export function drawn(groups: readonly Group[], grouping: string) {
   const largest = [...groups].sort((a, b) => b.n - a.n).slice(0, MOST_DRAWN);
   return groups
     .filter((one) => largest.includes(one))
@@ -96,24 +136,7 @@ export function drawn(groups: readonly Group[], grouping: string): { ecdf: Ecdf;
       if (!isThere<Ecdf>(one.ecdf)) return [];
       const band = groups.length <= MOST_BANDS; // more of them hide each other; the CSV has them all
       const word = groupWord(grouping, one.word);
-      return [
-        { ecdf: one.ecdf, curve: { word, hue: (i % HUES) as Hue, dash: i < HUES ? undefined : "6 4", band } },
-      ];
+      const curve: Curve = { word, hue: (i % HUES) as Hue, dash: i < HUES ? undefined : "6 4", band };
+      return [{ ecdf: one.ecdf, curve }];
     });
-}
-
-function GroupTable({ groups, grouping }: { groups: readonly Group[]; grouping: GroupingName }) {
-  return (
-    <Table
-      label={say("statistics-groups-head", { grouping })}
-      heads={[say("statistics-groups-head", { grouping }), ...spreadHeads(PERCENTS)]}
-    >
-      {groups.map((one) => (
-        <tr key={one.word}>
-          <th scope="row">{groupWord(grouping, one.word)}</th>
-          <SpreadCells of={one} percents={PERCENTS} decimals={3} />
-        </tr>
-      ))}
-    </Table>
-  );
 }

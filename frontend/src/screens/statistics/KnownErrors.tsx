@@ -1,114 +1,97 @@
 /** Errors against heights that were known before, a row a target, its lightings and classes below; check targets. */
-import type { ComponentChildren } from "preact";
-import { num, Panel, Table } from "../../components";
+import { DataTable, Panel } from "../../components";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
+import type { KnownErrorsBody } from "../../core/types";
 import { formatCount, smallScale } from "../../core/units";
 import { HEIGHT_WORDS } from "../../core/words";
-import { FigureCell } from "../../parts/figures/FigureCell";
+import { Figure } from "../../parts/figures/FigureCell";
 import { NONE, range } from "../../parts/figures/numbers";
-import { groupWord, isThere, type KnownErrors } from "./model";
+import { groupWord, isThere } from "./model";
 
-type KnownGroup = KnownErrors["groups"][number];
+type KnownGroup = KnownErrorsBody["groups"][number];
 
 const FIGURES = ["bias_m", "mae_m", "rmse_m", "sd_m"] as const;
 const HEADS = wordsOf("statistics-error-", ...FIGURES);
 
-export function KnownErrorsTable({ found }: { found: readonly KnownErrors[] }) {
-  const unit = smallScale()[1];
+export function KnownErrorsTable({ found }: { found: readonly KnownErrorsBody[] }) {
+  const [factor, unit] = smallScale();
   return (
     <Panel says="statistics-known-title">
       {found.length === 0 ? (
         <p class="stat-notes small">{say("statistics-known-none")}</p>
       ) : (
-        <Table
+        <DataTable
           label={say("statistics-known-title")}
           class="stat-errors"
           data-testid="known-errors"
-          heads={[
-            say("statistics-known-target"),
-            num("n"),
-            ...FIGURES.map((key) => num(say("with-unit", { name: HEADS[key], unit }))),
-            num(say("statistics-known-inside")),
+          rows={found.flatMap(rowsOf)}
+          keyOf={({ id }) => id}
+          rowAttributes={({ id }) => ({ "data-testid": id })}
+          columns={({ num, rowHead, across }) => [
+            rowHead(say("statistics-known-target"), nameOf),
+            num("n", ({ group }) => formatCount(group.n)),
+            ...FIGURES.map((key) => ({
+              ...num(say("with-unit", { name: HEADS[key], unit }), ({ group }: Row) => (
+                <Figure figure={group.figures[key]} factor={factor} digits={unit === "in" ? 2 : 1} />
+              )),
+              cellTitle: ({ group }: Row) =>
+                group.words ? say("statistics-known-holds", { words: sentenceOf(group.words) }) : undefined,
+            })),
+            ...across(
+              ({ inside }) => (inside && !isThere(inside) ? sentenceOf(inside.reason) : undefined),
+              undefined,
+              num(say("statistics-known-inside"), ({ inside }) => inside && <Inside inside={inside} />),
+            ),
           ]}
-        >
-          {found.map((one) => (
-            <Rows key={`${one.target}-${one.check_target}`} one={one} />
-          ))}
-        </Table>
+        />
       )}
       {found.length > 0 && <p class="stat-notes small">{say("statistics-known-help")}</p>}
     </Panel>
   );
 }
 
-function Rows({ one }: { one: KnownErrors }) {
+interface Row {
+  id: string;
+  group: KnownGroup;
+  /** Of the row of a target: how many of its errors their uncertainty holds. */
+  inside?: KnownErrorsBody["inside"];
+  one: KnownErrorsBody;
+}
+
+function rowsOf(one: KnownErrorsBody): Row[] {
   const [all, ...parts] = one.groups;
-  if (!all) return null;
+  if (!all) return [];
   const id = `known-${one.target}${one.check_target ? "-check" : ""}`;
+  const telling = parts.filter((part) => part.n < all.n); // a group of all of them says nothing more
+  return [
+    { id, group: all, inside: one.inside, one },
+    ...telling.map((group) => ({ id: `${id}-${group.group}`, group, one })),
+  ];
+}
+
+function nameOf({ group, inside, one }: Row) {
   const target = HEIGHT_WORDS[one.target];
+  const reason = sentenceOf(group.reason) ?? undefined;
+  if (!inside)
+    return (
+      <span class="stat-part muted" title={reason}>
+        {groupWord(group.grouping, group.group)}
+      </span>
+    );
   return (
     <>
-      <Row
-        id={id}
-        name={one.check_target ? say("statistics-known-check", { target }) : target}
-        group={all}
-        inside={<Inside one={one} />}
-      />
-      {parts
-        .filter((part) => part.n < all.n) // a group of all of them says nothing more
-        .map((part) => (
-          <Row
-            key={part.group}
-            id={`${id}-${part.group}`}
-            name={
-              <span class="stat-part muted" title={sentenceOf(part.reason) ?? undefined}>
-                {groupWord(part.grouping, part.group)}
-              </span>
-            }
-            group={{ ...part, reason: null }}
-            inside={<td />}
-          />
-        ))}
+      {one.check_target ? say("statistics-known-check", { target }) : target}
+      {reason && <div class="stat-ci">{reason}</div>}
     </>
   );
 }
 
-interface RowProps {
-  id: string;
-  name: ComponentChildren;
-  group: KnownGroup;
-  inside: ComponentChildren;
-}
-
-function Row({ id, name, group, inside }: RowProps) {
-  const [factor, unit] = smallScale();
+function Inside({ inside }: { inside: KnownErrorsBody["inside"] }) {
+  if (!isThere(inside)) return null;
   return (
-    <tr data-testid={id}>
-      <th scope="row">
-        {name}
-        {group.reason && <div class="stat-ci">{sentenceOf(group.reason)}</div>}
-      </th>
-      <td class="num">{formatCount(group.n)}</td>
-      {FIGURES.map((key) => (
-        <FigureCell
-          key={key}
-          figure={group.figures[key]}
-          factor={factor}
-          digits={unit === "in" ? 2 : 1}
-          title={group.words ? say("statistics-known-holds", { words: sentenceOf(group.words) }) : undefined}
-        />
-      ))}
-      {inside}
-    </tr>
-  );
-}
-
-function Inside({ one: { inside } }: { one: KnownErrors }) {
-  if (!isThere(inside)) return <td class="small muted">{sentenceOf(inside.reason)}</td>;
-  return (
-    <td class="num">
+    <>
       {say("statistics-known-inside-of", { inside: inside.inside, n: inside.n })}
       <div class="stat-ci">{range(inside, 100, 0) ?? NONE} %</div>
-    </td>
+    </>
   );
 }

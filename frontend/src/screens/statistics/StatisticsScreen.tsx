@@ -1,17 +1,5 @@
-import { Fragment } from "preact";
 import { useEffect } from "preact/hooks";
-import {
-  Button,
-  Check,
-  Empty,
-  Loaded,
-  Notice,
-  PageHead,
-  Panel,
-  Problem,
-  Table,
-  TextField,
-} from "../../components";
+import { Button, Check, Empty, Loaded, Notice, PageHead, Panel, Problem, TextField } from "../../components";
 import { PageTabs } from "../../components/PageTabs";
 import { Said } from "../../components/Said";
 import { query } from "../../core/address";
@@ -21,23 +9,22 @@ import { say, sentenceOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { survey } from "../../core/survey";
 import { resultsTabs } from "../../core/tabs";
-import type { Ecdf } from "../../core/types";
-import { lengthScale, lengthText, lengthUnit, parseLength, parseNumber } from "../../core/units";
+import type { StatisticsBody } from "../../core/types";
+import { lengthText, lengthUnit, parseLength, parseNumber } from "../../core/units";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
-import { ECDF_COLUMNS, ecdfMarks, ecdfRows } from "../../parts/figures/curves";
 import { Differences } from "../../parts/figures/Differences";
-import { loadPlot, PlotFigure } from "../../parts/figures/PlotFigure";
+import { loadPlot } from "../../parts/figures/PlotFigure";
 import { SameRule } from "../../parts/figures/SameRule";
 import { lotWords } from "../../parts/lots/words";
 import { ErrorFigures } from "./ErrorFigures";
 import { ErrorTable } from "./ErrorTable";
 import { FilterBar } from "./FilterBar";
 import { asInPaper, narrowed, setFilter, statisticsQuery, WIDE } from "./filters";
-import { drawn, GroupSection } from "./GroupSection";
+import { drawn, GroupSection, GroupsFigure } from "./GroupSection";
 import { KnownErrorsTable } from "./KnownErrors";
-import { type Comparison, groupWord, isThere, type Lateral, STANDARD_FOR, type Statistics } from "./model";
+import { type Comparison, groupWord, type Lateral, STANDARD_FOR } from "./model";
 import { Standards, switchedOn } from "./Standards";
-import { SpreadCells, spreadHeads } from "./spread";
+import { SpreadTable } from "./spread";
 import { TargetSection } from "./TargetSection";
 import "./statistics.css";
 
@@ -124,7 +111,7 @@ export function ByLot({ surveyId }: { surveyId: number }) {
 }
 
 interface FiguresProps {
-  found: Statistics;
+  found: StatisticsBody;
   surveyId: string | null;
   reload: () => void;
 }
@@ -154,7 +141,7 @@ function Heights({ found, surveyId, reload }: FiguresProps) {
   );
 }
 
-function ErrorsOf({ found }: { found: Statistics }) {
+function ErrorsOf({ found }: { found: StatisticsBody }) {
   return (
     <>
       <ErrorTable errors={found.errors} />
@@ -174,7 +161,7 @@ function scannedHeights(only: string | null): number {
   return survey.value?.id === Number(only) ? survey.value.scans.heights_accepted : 0;
 }
 
-function countedWords({ counted }: Statistics, scanned: number): string {
+function countedWords({ counted }: StatisticsBody, scanned: number): string {
   const { measurements, vehicles, with_reference, by_size } = counted;
   const words = [
     say("statistics-counted", { measurements, vehicles, roofs: with_reference }),
@@ -189,7 +176,7 @@ function countedWords({ counted }: Statistics, scanned: number): string {
 }
 
 /** No measurement is left: says which are there, and what to do. */
-function Nothing({ found, surveyId }: { found: Statistics; surveyId: string | null }) {
+function Nothing({ found, surveyId }: { found: StatisticsBody; surveyId: string | null }) {
   const waiting = (found.counted.left_out["to_review"] ?? 0) + (found.counted.left_out["reopened"] ?? 0);
   const filtered = narrowed(query.value);
   return (
@@ -251,10 +238,6 @@ export function SamplePlan({ sdM }: { sdM: number | null }) {
   );
 }
 
-const PERCENTS = [5, 50, 95];
-const laneWord = (word: string) => groupWord("lane", word);
-const classWord = (word: string) => groupWord("category", word);
-
 /** Where vehicles drive across the road: by lane as a figure, by lane and class as a table. */
 function LateralSection({ lateral }: { lateral: Lateral }) {
   const lanes = lateral.lanes.groups;
@@ -262,26 +245,16 @@ function LateralSection({ lateral }: { lateral: Lateral }) {
   return (
     <Panel says="statistics-lateral-title" data-testid="lateral">
       <div class="grid pad stat-groups">
-        <PlotFigure
+        <GroupsFigure
           name="lateral-position"
           title={say("statistics-lateral-figure")}
           says={say("statistics-lateral-says", { count: curves.length })}
           note={say("statistics-lateral-note")}
-          legend={curves.map(({ curve }) => curve)}
-          reason={curves.length === 0 ? say("statistics-lateral-none") : null}
-          data={lateral}
-          options={(plot, unit) => {
-            const [perX, long] = lengthScale(unit);
-            return {
-              x: { label: say("statistics-lateral-x", { unit: long }), nice: true, inset: 6 },
-              y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
-              marks: curves.flatMap(({ ecdf, curve }) => ecdfMarks(plot, ecdf, curve, perX)),
-            };
-          }}
-          table={() => ({
-            columns: ["lane", "across_m", ...ECDF_COLUMNS],
-            rows: lanes.flatMap((one) => (isThere<Ecdf>(one.ecdf) ? ecdfRows(one.word, one.ecdf) : [])),
-          })}
+          groups={lanes}
+          curves={curves}
+          none={say("statistics-lateral-none")}
+          across={["statistics-lateral-x", "across_m"]}
+          by="lane"
         />
         <LanesTable lateral={lateral} />
       </div>
@@ -290,30 +263,24 @@ function LateralSection({ lateral }: { lateral: Lateral }) {
 }
 
 export function LanesTable({ lateral }: { lateral: Lateral }) {
+  const all = { ...lateral.all, key: "all", word: say("statistics-lateral-all") };
+  const lanes = lateral.lanes.groups.flatMap((lane) => [
+    { ...lane, key: lane.word, word: groupWord("lane", lane.word) },
+    ...(lateral.classes[lane.word]?.groups ?? []).map((of) => ({
+      ...of,
+      key: `${lane.word} ${of.word}`,
+      word: groupWord("category", of.word),
+      within: true,
+    })),
+  ]);
   return (
-    <Table
+    <SpreadTable
       label={say("statistics-lateral-title")}
-      heads={[say("statistics-lateral-vehicles"), ...spreadHeads(PERCENTS)]}
-    >
-      <Row word={say("statistics-lateral-all")} one={lateral.all} />
-      {lateral.lanes.groups.map((lane) => (
-        <Fragment key={lane.word}>
-          <Row word={laneWord(lane.word)} one={lane} />
-          {lateral.classes[lane.word]?.groups.map((of) => (
-            <Row key={of.word} word={classWord(of.word)} one={of} within />
-          ))}
-        </Fragment>
-      ))}
-    </Table>
-  );
-}
-
-function Row({ word, one, within }: { word: string; one: Lateral["all"]; within?: boolean }) {
-  return (
-    <tr>
-      {within ? <td class="muted stat-within">{word}</td> : <th scope="row">{word}</th>}
-      <SpreadCells of={one} percents={PERCENTS} decimals={2} />
-    </tr>
+      head={say("statistics-lateral-vehicles")}
+      rows={[all, ...lanes]}
+      percents={[5, 50, 95]}
+      decimals={2}
+    />
   );
 }
 

@@ -1,10 +1,9 @@
 import { render } from "preact";
 import { afterEach, expect, it } from "vitest";
 import { say, speak } from "../../core/messages";
-import type { Standard } from "../../core/types";
+import type { ErrorsBody, Standard, TargetBody } from "../../core/types";
 import { lengthUnit } from "../../core/units";
 import { trendWords } from "./ErrorFigures";
-import type { Errors, OfTarget } from "./model";
 import { Percentiles, Shares } from "./TargetSection";
 
 afterEach(() => {
@@ -22,14 +21,14 @@ it("why a percentile has no interval is said of the one that is shown", () => {
     percentiles: [own],
     words: { code: "stat-holds", values: {}, message: "sampling" },
   };
-  const target = { target: "driver_eye", raw: of, corrected: of, total } as unknown as OfTarget;
+  const target = { target: "driver_eye", raw: of, corrected: of, total } as unknown as TargetBody;
   render(<Percentiles target={target} />, document.body);
   expect(document.body.textContent).toContain("the heights are all the same");
 });
 
 it("a slope in inches per foot is as fine as one in millimetres per metre", () => {
   const trend = { slope: -0.0043, slope_ci95: { low: -0.0081, high: -0.0005 }, correlation: -0.3 };
-  const errors = { trend, absolute_trend: { reason: null } } as unknown as Errors;
+  const errors = { trend, absolute_trend: { reason: null } } as unknown as ErrorsBody;
   const said = () => trendWords(errors).replace(/\s/g, " ");
   expect(said()).toContain("−4.3 mm per m (−8.1 to −0.5)");
   lengthUnit.value = "ft";
@@ -40,7 +39,7 @@ it("the counts beside a share of true heights are said to be of the measured one
   const standard = { name: "F", height_m: 1.1, code: null } as Standard;
   const one = { standard, share: 0.3, low: 0.2, high: 0.4, below: 60, n: 200 };
   const total = { shares: [{ value: 0.25, U95_low: 0.2, U95_high: 0.31 }] };
-  const target = { target: "driver_eye", corrected: { shares: [one] }, total } as unknown as OfTarget;
+  const target = { target: "driver_eye", corrected: { shares: [one] }, total } as unknown as TargetBody;
   render(<Shares target={target} standards={[standard]} />, document.body);
   expect(document.body.textContent).toContain("measured heights: 60 of 200");
 });
@@ -55,7 +54,7 @@ it("percentiles without an interval are written as the language writes numbers",
   const reason = { code: "x", values: {}, message: "trop peu" };
   const own = { percent: 2.5, value: 1.2, low: null, high: null, needs: 6, reason };
   const of = { n: 200, percentiles: [own] };
-  const target = { target: "driver_eye", raw: of, corrected: of, total: null } as unknown as OfTarget;
+  const target = { target: "driver_eye", raw: of, corrected: of, total: null } as unknown as TargetBody;
   render(<Percentiles target={target} />, document.body);
   const told = document.querySelector("details li")?.textContent;
   await speak("en");

@@ -1,7 +1,7 @@
-import { Notice, num, Panel, Table } from "../../components";
+import { DataTable, Notice, Panel } from "../../components";
 import { Said } from "../../components/Said";
 import { allOf, say, sentenceOf } from "../../core/messages";
-import type { Density, Ecdf, Standard } from "../../core/types";
+import type { Density, Ecdf, Percentile, Standard, TargetBody } from "../../core/types";
 import { fixed, formatLength, lengthScale, plainHeight, plainPercent } from "../../core/units";
 import { HEIGHT_WORDS } from "../../core/words";
 import { csvOf, download } from "../../parts/figures/csv";
@@ -13,11 +13,11 @@ import {
   ECDF_COLUMNS,
   ecdfMarks,
   ecdfRows,
-  marginOf,
   middleOf,
   nearby,
   noBandWords,
   shareStep,
+  standardAxes,
   standardMarks,
   standardTiers,
 } from "../../parts/figures/curves";
@@ -26,13 +26,13 @@ import { percent } from "../../parts/figures/numbers";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 import { formatLimit, inWords } from "../../parts/figures/standards";
 import { asInPaper } from "./filters";
-import { isThere, type OfTarget, type Percentile } from "./model";
+import { isThere } from "./model";
 
 const rawCurve = (): Curve => ({ word: say("statistics-curve-raw"), dash: "6 4", faint: true });
 const correctedCurve = (): Curve => ({ word: say("statistics-curve-corrected"), band: true });
 
 interface Props {
-  target: OfTarget;
+  target: TargetBody;
   standards: readonly Standard[];
 }
 
@@ -62,7 +62,7 @@ export function TargetSection({ target, standards }: Props) {
   );
 }
 
-function heightsWords({ raw: { n: count }, corrected: { mean_m, sd_m } }: OfTarget): string {
+function heightsWords({ raw: { n: count }, corrected: { mean_m, sd_m } }: TargetBody): string {
   if (mean_m === null) return say("statistics-heights", { count });
   const mean = formatLength(mean_m);
   if (sd_m === null) return say("statistics-heights-mean", { count, mean });
@@ -94,10 +94,7 @@ function EcdfFigure({ target, standards, title }: Props & { title: string }) {
         const [perX, long] = lengthScale(unit);
         const tiers = standardTiers(shown, perX, long, middleOf(both));
         return {
-          marginTop: marginOf(tiers),
-          height: 296 + marginOf(tiers),
-          x: { label: say("statistics-height-x", { unit: long }), nice: true, inset: 16 },
-          y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
+          ...standardAxes(tiers, long),
           marks: [
             ...standardMarks(plot, tiers),
             ...(raw ? ecdfMarks(plot, raw, rawCurve(), perX) : []),
@@ -113,7 +110,7 @@ function EcdfFigure({ target, standards, title }: Props & { title: string }) {
   );
 }
 
-function HeightDensity({ target, title }: { target: OfTarget; title: string }) {
+function HeightDensity({ target, title }: { target: TargetBody; title: string }) {
   const density = isThere<Density>(target.density) ? target.density : null;
   return (
     <PlotFigure
@@ -139,7 +136,7 @@ function HeightDensity({ target, title }: { target: OfTarget; title: string }) {
   );
 }
 
-type TotalFigure = NonNullable<OfTarget["total"]>["shares"][number];
+type TotalFigure = NonNullable<TargetBody["total"]>["shares"][number];
 
 /** The share of true heights in place of that of the corrected ones, where it has an interval. */
 function inTotal(one: TotalFigure | undefined) {
@@ -183,7 +180,7 @@ export function Shares({ target, standards }: Props) {
 const ONLY_IN_PAPER: readonly number[] = [2, 98];
 
 /** The percentiles of one target: of the true heights, where they are known. */
-export function Percentiles({ target }: { target: OfTarget }) {
+export function Percentiles({ target }: { target: TargetBody }) {
   if (target.raw.percentiles.length === 0) return null;
   const paper = asInPaper();
   const kept = <T extends { percent: number }>(list: readonly T[]) =>
@@ -194,29 +191,25 @@ export function Percentiles({ target }: { target: OfTarget }) {
   const { total } = target;
   const first = total ? kept(total.percentiles).map(ofTotal) : shown;
   const title = say("statistics-percentiles", { target: HEIGHT_WORDS[target.target] });
+  const told: { of: "true" | "corrected" | "raw"; list: readonly Percentile[]; strong?: boolean }[] = [];
+  if (total) told.push({ of: "true", list: first, strong: true });
+  if (rows.length > 0 && (paper || !total)) told.push({ of: "corrected", list: rows, strong: !total });
+  if (paper || rows.length === 0) told.push({ of: "raw", list: kept(target.raw.percentiles) });
   return (
     <div class="stat-percentiles">
-      <Table
+      <DataTable
         label={title}
         aria-label={title}
         data-testid={`percentiles-${target.target}`}
-        heads={[say("statistics-percentile"), ...shown.map((one) => num(plainPercent(one.percent)))]}
-      >
-        {total && <PercentileRow head={say("statistics-percentiles-true", { unit })} rows={first} strong />}
-        {rows.length > 0 && (paper || !total) && (
-          <PercentileRow
-            head={say("statistics-percentiles-corrected", { unit })}
-            rows={rows}
-            strong={!total}
-          />
-        )}
-        {(paper || rows.length === 0) && (
-          <PercentileRow
-            head={say("statistics-percentiles-raw", { unit })}
-            rows={kept(target.raw.percentiles)}
-          />
-        )}
-      </Table>
+        rows={told}
+        keyOf={({ of }) => of}
+        columns={({ num, rowHead }) => [
+          rowHead(say("statistics-percentile"), ({ of }) => say(`statistics-percentiles-${of}`, { unit })),
+          ...shown.map((one, at) =>
+            num(plainPercent(one.percent), ({ list, strong }) => <At one={list[at]} strong={strong} />),
+          ),
+        ]}
+      />
       <div class="row row--apart stat-notes small">
         <div class="grow">
           {total && (
@@ -233,7 +226,7 @@ export function Percentiles({ target }: { target: OfTarget }) {
   );
 }
 
-type TotalPercentile = NonNullable<OfTarget["total"]>["percentiles"][number];
+type TotalPercentile = NonNullable<TargetBody["total"]>["percentiles"][number];
 
 /** A percentile of the true heights with its total interval. */
 function ofTotal({ percent, value, U95_low, U95_high, needs, reason }: TotalPercentile): Percentile {
@@ -263,33 +256,21 @@ function NoIntervals({ rows }: { rows: readonly Percentile[] }) {
   );
 }
 
-function PercentileRow({
-  head,
-  rows,
-  strong,
-}: {
-  head: string;
-  rows: readonly Percentile[];
-  strong?: boolean;
-}) {
+function At({ one, strong }: { one: Percentile | undefined; strong?: boolean }) {
+  if (!one) return null;
   return (
-    <tr>
-      <th scope="row">{head}</th>
-      {rows.map((one) => (
-        <td key={one.percent} class="num">
-          {strong ? <strong>{plainHeight(one.value)}</strong> : plainHeight(one.value)}
-          <div class="stat-ci">
-            {plainHeight(one.low)}
-            <br />
-            {one.high === null ? "" : plainHeight(one.high)}
-          </div>
-        </td>
-      ))}
-    </tr>
+    <>
+      {strong ? <strong>{plainHeight(one.value)}</strong> : plainHeight(one.value)}
+      <div class="stat-ci">
+        {plainHeight(one.low)}
+        <br />
+        {one.high === null ? "" : plainHeight(one.high)}
+      </div>
+    </>
   );
 }
 
-function save(target: OfTarget): void {
+function save(target: TargetBody): void {
   const { raw, corrected, total } = target;
   const distributions = [
     ...(total ? [{ which: "true", n: total.n, percentiles: total.percentiles.map(ofTotal) }] : []),

@@ -1,24 +1,14 @@
 /** What the server says of many measurements; lengths in metres. */
-import type { components } from "#schema";
 import { wordsOf } from "../../core/messages";
-import type { Category, ClassSet, Lighting } from "../../core/types";
+import type { Category, ClassSet, Lighting, ReasonBody, StatisticsBody, TargetBody } from "../../core/types";
 import { CATEGORY_WORDS, CLASS_SET_WORDS, LIGHTING_WORDS } from "../../core/words";
 
-type Schemas = components["schemas"];
-export type Statistics = Schemas["StatisticsBody"];
-export type Errors = Schemas["ErrorsBody"];
-export type ErrorGroup = Schemas["ErrorGroupBody"];
-export type KnownErrors = Schemas["KnownErrorsBody"];
-export type Trend = Schemas["TrendBody"];
-export type Reason = Schemas["ReasonBody"];
-export type OfTarget = Schemas["TargetBody"];
-export type Group = OfTarget["groups"][string]["groups"][number];
-export type Lateral = NonNullable<Statistics["lateral"]>;
-export type Comparison = NonNullable<Statistics["comparison"]>;
-export type Percentile = Schemas["Percentile"];
+export type Group = TargetBody["groups"][string]["groups"][number];
+export type Lateral = NonNullable<StatisticsBody["lateral"]>;
+export type Comparison = NonNullable<StatisticsBody["comparison"]>;
 
 /** Whether a part was computed, or is only the reason why not. */
-export function isThere<T extends object>(part: T | Reason): part is T {
+export function isThere<T extends object>(part: T | ReasonBody): part is T {
   return !("reason" in part) || Object.keys(part).length > 1;
 }
 

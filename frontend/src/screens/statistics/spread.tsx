@@ -1,39 +1,44 @@
-/** The columns of a spread: how many vehicles, their mean, SD and percentiles. */
-import { num } from "../../components";
+/** The spread of groups of vehicles: how many, their mean, SD and percentiles. */
+import { DataTable } from "../../components";
 import { say } from "../../core/messages";
 import { formatCount, lengthScale } from "../../core/units";
-import { NONE, percent, scaled } from "../../parts/figures/numbers";
+import { percent, scaled } from "../../parts/figures/numbers";
 import type { Group } from "./model";
 
-export function spreadHeads(percents: readonly number[]) {
-  const unit = lengthScale()[1];
-  return [
-    num("n"),
-    num(say("statistics-groups-mean", { unit })),
-    num(say("statistics-groups-sd", { unit })),
-    ...percents.map((one) => num(percent(one / 100, 0))),
-  ];
+interface SpreadRow extends Pick<Group, "n" | "mean_m" | "sd_m" | "percentiles"> {
+  key: string;
+  word: string;
+  /** A part of the row above it. */
+  within?: boolean;
 }
 
-interface CellsProps {
-  of: Pick<Group, "n" | "mean_m" | "sd_m" | "percentiles">;
+interface Props {
+  label: string;
+  head?: string;
+  rows: readonly SpreadRow[];
   percents: readonly number[];
   decimals: number;
 }
 
-export function SpreadCells({ of, percents, decimals }: CellsProps) {
-  const factor = lengthScale()[0];
-  const at = (wanted: number) => of.percentiles.find((p) => p.percent === wanted)?.value ?? null;
+export function SpreadTable({ label, head = label, rows, percents, decimals }: Props) {
+  const [factor, unit] = lengthScale();
+  const shown = (value_m: number | null | undefined) => scaled(value_m ?? null, factor, decimals);
   return (
-    <>
-      <td class="num">{formatCount(of.n)}</td>
-      <td class="num">{scaled(of.mean_m, factor, decimals)}</td>
-      <td class="num">{of.sd_m === null ? NONE : scaled(of.sd_m, factor, decimals)}</td>
-      {percents.map((wanted) => (
-        <td key={wanted} class="num">
-          {scaled(at(wanted), factor, decimals)}
-        </td>
-      ))}
-    </>
+    <DataTable
+      label={label}
+      rows={rows}
+      keyOf={(one) => one.key}
+      columns={({ num, rowHead }) => [
+        rowHead(head, ({ word, within }) => (within ? <span class="muted stat-within">{word}</span> : word)),
+        num("n", (one) => formatCount(one.n)),
+        num(say("statistics-groups-mean", { unit }), (one) => shown(one.mean_m)),
+        num(say("statistics-groups-sd", { unit }), (one) => shown(one.sd_m)),
+        ...percents.map((wanted) =>
+          num(percent(wanted / 100, 0), (one) =>
+            shown(one.percentiles.find((p) => p.percent === wanted)?.value),
+          ),
+        ),
+      ]}
+    />
   );
 }

@@ -2,7 +2,7 @@ import { say } from "../../core/messages";
 import type { Standard, StudyResult } from "../../core/types";
 import { lengthScale } from "../../core/units";
 import { HEIGHT_WORDS } from "../../core/words";
-import { marginOf, standardMarks, standardTiers } from "../../parts/figures/curves";
+import { standardAxes, standardMarks, standardTiers } from "../../parts/figures/curves";
 import { hueOf } from "../../parts/figures/hues";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 import { readable, readRows } from "../../parts/figures/reading";
@@ -41,10 +41,7 @@ export function CurveFigure({ curve, rules }: { curve: Curve; rules: Found["rule
         const ofRaw = { x: (one: Point) => one.raw_m * perX, y };
         const ofTrue = { x: (one: Point) => one.value_m * perX, y };
         return {
-          marginTop: marginOf(tiers),
-          height: 296 + marginOf(tiers),
-          x: { label: say("statistics-height-x", { unit: long }), nice: true, inset: 16 },
-          y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
+          ...standardAxes(tiers, long),
           marks: [
             ...standardMarks(plot, tiers),
             plot.areaX(known, {

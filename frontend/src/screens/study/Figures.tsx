@@ -1,5 +1,5 @@
 import { DataTable, num, Table } from "../../components";
-import { say, sentenceOf } from "../../core/messages";
+import { say, sentenceOf, wordsOf } from "../../core/messages";
 import type { Category, StudyResult } from "../../core/types";
 import {
   formatCount,
@@ -155,40 +155,32 @@ function Years({ years }: { years: readonly Year[] }) {
   );
 }
 
-const ERRORS = ["bias_m", "mae_m", "rmse_m", "sd_m"] as const;
+const ERRORS = wordsOf({
+  bias_m: "study-bias",
+  mae_m: "statistics-error-mae_m",
+  rmse_m: "statistics-error-rmse_m",
+  sd_m: "study-sd",
+});
 
 function Errors({ rows }: { rows: Found["errors"] }) {
   const groups = [...new Set(rows.map((one) => one.group))];
+  const nOf = (group: string) => rows.find((one) => one.group === group)?.n ?? 0;
   return (
     <Section id="study-errors" title={say("study-errors")} note={say("study-errors-note")}>
-      <Table
-        heads={[
-          say("study-lighting"),
-          num(say("study-vehicles")),
-          num(say("study-bias")),
-          num(say("statistics-error-mae_m")),
-          num(say("statistics-error-rmse_m")),
-          num(say("study-sd")),
+      <DataTable
+        rows={groups}
+        keyOf={(group) => group}
+        columns={({ num, rowHead }) => [
+          rowHead(say("study-lighting"), lightingOf),
+          num(say("study-vehicles"), (group) => formatCount(nOf(group))),
+          ...Object.entries(ERRORS).map(([figure, word]) =>
+            num(word, (group) => {
+              const one = rows.find((row) => row.group === group && row.figure === figure);
+              return <Bounded value={one?.value_m} low={one?.low_m} high={one?.high_m} print={formatSmall} />;
+            }),
+          ),
         ]}
-      >
-        {groups.map((group) => {
-          const of = rows.filter((one) => one.group === group);
-          return (
-            <tr key={group}>
-              <th scope="row">{lightingOf(group)}</th>
-              <td class="num">{formatCount(of[0]?.n ?? 0)}</td>
-              {ERRORS.map((figure) => {
-                const one = of.find((row) => row.figure === figure);
-                return (
-                  <td key={figure} class="num">
-                    <Bounded value={one?.value_m} low={one?.low_m} high={one?.high_m} print={formatSmall} />
-                  </td>
-                );
-              })}
-            </tr>
-          );
-        })}
-      </Table>
+      />
     </Section>
   );
 }
@@ -226,23 +218,19 @@ function Plan({ rows }: { rows: Found["plan"] }) {
   const goal = formatSmall(rows[0]?.goal_U95_m ?? 0);
   return (
     <Section id="study-plan" title={say("study-plan", { goal })} note={say("study-plan-note")}>
-      <Table heads={[num(say("study-plan-sites")), ...targets.map((one) => num(HEIGHT_WORDS[one]))]}>
-        {sites.map((count) => (
-          <tr key={count}>
-            <th scope="row" class="num">
-              {count}
-            </th>
-            {targets.map((target) => {
+      <DataTable
+        rows={sites}
+        keyOf={(count) => count}
+        columns={({ num }) => [
+          { ...num(say("study-plan-sites"), (count) => count), rowHead: true },
+          ...targets.map((target) =>
+            num(HEIGHT_WORDS[target], (count) => {
               const one = rows.find((row) => row.target === target && row.sites === count);
-              return (
-                <td class="num" key={target}>
-                  {one?.vehicles_each ? formatCount(one.vehicles_each) : say("study-plan-none")}
-                </td>
-              );
-            })}
-          </tr>
-        ))}
-      </Table>
+              return one?.vehicles_each ? formatCount(one.vehicles_each) : say("study-plan-none");
+            }),
+          ),
+        ]}
+      />
     </Section>
   );
 }

@@ -1,11 +1,12 @@
 import { useEffect, useState } from "preact/hooks";
 import { DropFiles, Icon, IconButton, Problem } from "../../components";
-import { api, explain } from "../../core/api";
+import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { may } from "../../core/session";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Photograph } from "../../core/types";
+import { useOneByOne } from "../../parts/uploads/oneByOne";
 import "./photographs.css";
 
 /** Pictures of the set-up: added, captioned, put in order; the report shows them in this order. */
@@ -35,10 +36,10 @@ export function Photographs({ surveyId }: { surveyId: number }) {
           ))}
         </ol>
       )}
-      {work.refused.map((words) => (
-        <p key={words} class="field__problem">
+      {work.refused.map(({ name, problem }) => (
+        <p key={name} class="field__problem">
           <Icon name="warning" size={14} />
-          {words}
+          {problem}
         </p>
       ))}
       {mayChange && (
@@ -126,30 +127,16 @@ function usePhotographs(
   set: (change: (now: Photograph[]) => Photograph[]) => void,
   reload: () => Promise<void>,
 ) {
-  const [waiting, setWaiting] = useState(0);
-  const [refused, setRefused] = useState<string[]>([]);
+  const sending = useOneByOne(async (body) => {
+    const added = await api.write("POST /surveys/{survey_id}/photographs", where, { body });
+    set((now) => [...now, added]);
+  });
   const run = async (work: () => Promise<unknown>) => {
     await work().catch(toastProblem);
     await reload();
   };
-  const add = async (files: File[]) => {
-    const problems: string[] = [];
-    for (const [index, file] of files.entries()) {
-      setWaiting(files.length - index);
-      try {
-        const added = await api.write("POST /surveys/{survey_id}/photographs", where, { body: file });
-        set((now) => [...now, added]);
-      } catch (error) {
-        problems.push(explain(error));
-      }
-      setRefused([...problems]);
-    }
-    setWaiting(0);
-  };
   return {
-    waiting,
-    refused,
-    add,
+    ...sending,
     caption: (one: Photograph, text: string) =>
       run(() =>
         api.write(

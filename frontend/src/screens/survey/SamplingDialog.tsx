@@ -11,16 +11,7 @@ import { quotaWords } from "../../parts/vehicles/SampleQuotas";
 
 const METHODS = wordsOf("sample-", "every", "nth", "share");
 
-interface Typed {
-  method: Sampling["method"];
-  step: string;
-  start: string;
-  share: string;
-  seed: string;
-  free: string;
-  quotas: Record<string, string>;
-  outside: boolean;
-}
+type Typed = ReturnType<typeof typedOf>;
 
 /** Every lighting with every set, and with vehicles of any class. */
 const KINDS = (Object.keys(LIGHTING_WORDS) as Lighting[]).flatMap((lighting) =>
@@ -91,7 +82,7 @@ export function SamplingDialog({ survey, close }: { survey: Survey; close: () =>
   );
 }
 
-function typedOf(rule: Sampling): Typed {
+function typedOf(rule: Sampling) {
   return {
     method: rule.method,
     step: String(rule.method === "nth" ? rule.step : 2),

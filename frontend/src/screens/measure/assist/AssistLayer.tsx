@@ -1,6 +1,6 @@
 /** A proposal over the frame: dashed, a diamond, and the word; nothing is stored until a person clicks. */
 import { say, sentenceOf } from "../../../core/messages";
-import { InImage } from "../../../viewer/Overlay";
+import { InImage, PointMark } from "../../../viewer/Overlay";
 import type { FrameStage } from "../../../viewer/stage";
 import type { Assist } from "./assist";
 
@@ -8,21 +8,13 @@ export function AssistLayer({ assist, stage }: { assist: Assist; stage: FrameSta
   const answer = assist.answer.value;
   const at = assist.at.value;
   if (!answer || !at) return null;
-  const [x, y] = stage.view.value.toScreen(at);
   const wheel = answer.outline.map(([u, v], i) => `${i === 0 ? "M" : "L"}${u} ${v}`).join("");
-  const diamond = "M0 -10L10 0L0 10L-10 0Z";
   return (
     <g class="proposal" data-testid="contact-proposal">
       <InImage stage={stage}>
         <path class="proposal__wheel" d={wheel} />
       </InImage>
-      <g transform={`translate(${x} ${y})`} class="point-mark">
-        <path class="point-mark__halo" d={diamond} />
-        <path class="point-mark__line" d={diamond} />
-        <text class="overlay-word overlay-word--strong" x={15} y={20}>
-          {sentenceOf(answer.words)}
-        </text>
-      </g>
+      <PointMark stage={stage} at={at} kind="contact" proposed text={sentenceOf(answer.words)} />
     </g>
   );
 }

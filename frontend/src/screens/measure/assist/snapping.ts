@@ -2,26 +2,14 @@
  * A contact click goes to the tyre: the server says where, the click is shown, one undo puts it back. A click with Shift
  * held stays where it is, and so does one on which something was measured before the server had answered.
  */
-import { type ReadonlySignal, signal } from "@preact/signals";
+import { signal } from "@preact/signals";
 import { api } from "../../../core/api";
 import { fromServer, type ImagePoint, pair, samePoint, screenDistance } from "../../../viewer/points";
-import type { FrameStage } from "../../../viewer/stage";
 import type { Snapped } from "../../../viewer/values";
-import type { Flow } from "../flow";
-import type { Entry } from "../records";
+import type { Table } from "../table";
 
 /** A pointer this near to the contact is at it. */
 const AT_CONTACT_PX = 12;
-
-/** As much of the measure page as this needs. */
-interface Table {
-  readonly stage: FrameStage;
-  readonly flow: ReadonlySignal<Flow>;
-  readonly vehicleId: ReadonlySignal<number | null>;
-  readonly entries: ReadonlySignal<readonly Entry[]>;
-  readonly seenFrame: ReadonlySignal<number>;
-  readonly contact: ReadonlySignal<ImagePoint | null>;
-}
 
 interface ShownSnap extends Snapped {
   readonly vehicleId: number;
