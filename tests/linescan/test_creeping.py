@@ -8,7 +8,7 @@ import pytest
 
 from sightline.linescan.faults import notes_of
 from sightline.linescan.passing import measure_passages
-from tests.linescan.scenes import SLOW_RIG, at, cars, creeping, found
+from tests.linescan.scenes import SLOW_RIG, at, cars, creeping, found, standing
 from tests.simulation.scan_traffic import Halt, Photograph
 from tests.support.proofs import every
 
@@ -80,3 +80,15 @@ def test_one_that_creeps_on_is_one(tmp_path, case):
     skin = painted(tmp_path / "side.png", seed) if uneven else None
     fronts_s, next_s, _ = told((seed, back_m, skin, cloud))
     assert fronts_s[1:] == pytest.approx([next_s], abs=0.02)
+
+
+def test_who_counts_is_told_that_it_may_be_one():
+    """Nothing was said; the one after it is found all the same."""
+    fronts_s, next_s, said = told((1, 0.0, None, False))
+    assert fronts_s[-1] == pytest.approx(next_s, abs=0.02)
+    assert "may be the same one that moved on a little" in said
+
+
+def test_nothing_is_said_of_one_that_stands_and_leaves():
+    _, finder = found(standing(1.6)[0], SLOW_RIG)
+    assert [watcher.rests_again for watcher in finder.watchers] == [0, 0]
