@@ -7,8 +7,18 @@ import numpy as np
 
 from sightline.linescan.finding import Finder
 from sightline.linescan.parts import Passage, Rig
+from tests.simulation.models import MODELS
 from tests.simulation.scan_strips import strips
-from tests.simulation.scan_traffic import Halt, ScanSite, ScanTruth, ScanVehicle, traffic, truths
+from tests.simulation.scan_traffic import (
+    Halt,
+    Photograph,
+    ScanSite,
+    ScanTruth,
+    ScanVehicle,
+    scan_body,
+    traffic,
+    truths,
+)
 
 RIG = Rig(0.593, 4882.8)
 SLOW_RIG = Rig(0.593, 1220.7)
@@ -79,6 +89,26 @@ def two_standing(wait_s: float, bodies: tuple[int, int] = (1, 0)) -> tuple[Strip
     rears_s = behind.clear_s(0.0), before.clear_s(0.0)
     site = replace(SITE, rows=64, line_rate_hz=SLOW_RIG.line_rate_hz)
     return strips(site, (behind, before, at(cars()[2], max(rears_s) + 1.8, 12.0))), rears_s
+
+
+def creeping(
+    seed: int, *, back_m: float = 0.0, noise_dn: float = 2.0, skin: Photograph | None = None
+) -> tuple[Strips, tuple[float, float]]:
+    """A lorry of 12 to 16 m stands with its front part in view, creeps on by some metres and rests, twice,
+    and each time `back_m` back again; the next vehicle comes 1.8 s after its rear. Of a slower rig; the
+    seconds of that rear and of the next front. `skin`: on its side.
+    """
+    rng = np.random.default_rng((seed, 34))
+    long_m, at_m = float(rng.uniform(12.0, 16.0)), float(rng.uniform(1.0, 2.5))
+    by_m = rng.uniform(3.0, min(6.0, (long_m - at_m) / 2), 2)
+    rests = [((float(by), 4.5), (-back_m, 4.0)) if back_m else ((float(by), 4.5),) for by in by_m]
+    model = next(one for one in MODELS if one.category == "lorry")
+    model = replace(model, length_m=long_m, wheelbase_m=0.6 * long_m)
+    halt = Halt(at_m, 5.0, creeps=tuple(one for rest in rests for one in rest))
+    lorry = ScanVehicle(scan_body(seed, model, rng), 1.2, 7.0, 0.0, halt=halt, skin=skin)
+    rear_s = lorry.clear_s(0.0)
+    site = replace(SITE, rows=64, line_rate_hz=SLOW_RIG.line_rate_hz, seed=seed, read_noise_dn=noise_dn)
+    return strips(site, (lorry, at(cars()[2], rear_s + 1.8, 12.0))), (rear_s, rear_s + 1.8)
 
 
 def found(pair: Strips, rig: Rig = RIG, piece: int = 1500) -> tuple[list[Passage], Finder]:

@@ -51,11 +51,15 @@ class ScanSite:
 
 @dataclass(frozen=True)
 class Halt:
-    """The vehicle stops with its front `at_m` beyond the first camera and waits."""
+    """The vehicle stops with its front `at_m` beyond the first camera and waits.
+
+    `creeps`: from there on by so many metres (below 0: back), and how many seconds it waits then.
+    """
 
     at_m: float
     wait_s: float
     braking_mps2: float = 3.0
+    creeps: tuple[tuple[float, float], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -102,7 +106,7 @@ class ScanVehicle:
         return self.vehicle.model.wheelbase_m
 
     def travelled_m(self, time_s: Array) -> Array:
-        """How far beyond the camera it reaches first the front is at `time_s`; never goes back."""
+        """How far beyond the camera it reaches first the front is at `time_s`; goes back in creeps alone."""
         tau = np.asarray(time_s, float) - self.front_s
         if self.halt is not None:
             return _with_halt(tau, self.speed_mps, self.halt)
@@ -124,17 +128,24 @@ class ScanVehicle:
             return self.time_s(self.length_m + baseline_m)
         far = self.front_s + 600.0
         grid = np.arange(self.front_s, far, 0.01)
-        return float(grid[np.searchsorted(self.travelled_m(grid), self.length_m + baseline_m)])
+        return float(grid[np.argmax(self.travelled_m(grid) >= self.length_m + baseline_m)])
 
 
 def _with_halt(tau: Array, speed: float, halt: Halt) -> Array:
-    """Constant speed, braking to a stop, a wait, and away again."""
+    """Constant speed, braking to a stop, a wait, creeps with a wait after each, and away again."""
     brakes_at = (halt.at_m - speed**2 / (2 * halt.braking_mps2)) / speed
     stops_at = brakes_at + speed / halt.braking_mps2
     leaves_at = stops_at + halt.wait_s
     into = np.clip(tau - brakes_at, 0, stops_at - brakes_at)
+    crept = np.zeros(np.shape(tau))
+    for by_m, wait_s in halt.creeps:
+        # faster through the first half of the way, slower through the second
+        half_s = float(np.sqrt(abs(by_m) / RESTART_MPS2))
+        share = np.clip((tau - leaves_at) / half_s, 0, 2)
+        crept += by_m * np.where(share < 1, share**2, 2 - (2 - share) ** 2) / 2
+        leaves_at += 2 * half_s + wait_s
     out = np.maximum(tau - leaves_at, 0)
-    cruise = speed * np.minimum(tau, brakes_at)
+    cruise = speed * np.minimum(tau, brakes_at) + crept
     return np.asarray(cruise + speed * into - halt.braking_mps2 / 2 * into**2 + RESTART_MPS2 / 2 * out**2)
 
 

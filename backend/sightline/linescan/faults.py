@@ -23,7 +23,8 @@ SATURATED_SHARE = 0.02
 def notes_of(finder: Finder) -> list[Said]:
     """A saying for each thing that a finder saw besides vehicles, after `finish`; empty if nothing."""
     seconds = max(finder.watchers[0].lines / finder.rig.line_rate_hz, 1e-9)
-    notes = [_none_found(finder), _swapped(finder), _too_many_alone(finder), _jumps(finder), _moves(finder)]
+    notes = [_none_found(finder), _swapped(finder), _too_many_alone(finder)]
+    notes += [_rests_again(finder), _jumps(finder), _moves(finder)]
     for number, watcher in enumerate(finder.watchers, 1):
         notes += [
             _unrest(number, watcher),
@@ -58,6 +59,12 @@ def _too_many_alone(finder: Finder) -> Said | None:
     if finder.alone <= max(2, 0.2 * finder.found):
         return None
     return Said("scan-run-alone", alone=finder.alone)
+
+
+def _rests_again(finder: Finder) -> Said | None:
+    """What comes to rest before one that stands is told as another; it may be the same, moved on."""
+    rests = max(watcher.rests_again for watcher in finder.watchers)
+    return Said("scan-run-rests-again", count=rests) if rests else None
 
 
 def _jumps(finder: Finder) -> Said | None:

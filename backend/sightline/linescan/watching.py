@@ -94,7 +94,8 @@ class Watcher:
 
     What stands in view becomes the background, before which others pass; its event goes on until the road is
     seen again, and theirs wait for it. What stands for too long, or until another stands before it, is given
-    up: theirs wait no longer, and its own comes after them, when it has left.
+    up: theirs wait no longer, and its own comes after them, when it has left. `rests_again`: how often that
+    was, for the other may be the same that moved on a little.
     """
 
     grid: Grid
@@ -103,6 +104,7 @@ class Watcher:
     blips: int = 0
     jumps: int = 0
     moves: int = 0
+    rests_again: int = 0
     lines: int = 0
     saturated_lines: float = 0.0
     bits: int = 8
@@ -351,6 +353,7 @@ class Watcher:
         self._open.still |= self._still >= self.spans.still
         if self._still < self.spans.stuck:
             return []
+        self.rests_again += self._standing is not None or bool(self._given_up)
         self._give_up()
         self._standing = self._open
         self._take(block)
