@@ -7,7 +7,7 @@ import cv2
 import pytest
 
 from sightline.cli import COMMANDS
-from sightline.commands import adjust, clicks, linescan
+from sightline.commands import clicks, linescan, passes_csv
 from sightline.export.package_tables import tables_of
 from sightline.settings import Settings
 
@@ -74,7 +74,7 @@ def test_every_column_of_heights_and_vehicles_is_described() -> None:
 
 def test_every_column_of_passes_is_described() -> None:
     passes = section("passes.csv and adjusted.json")
-    assert [name for name in (*adjust.NEEDED, *adjust.OPTIONS) if f"`{name}`" not in passes] == []
+    assert [name for name in (*passes_csv.NEEDED, *passes_csv.OPTIONS) if f"`{name}`" not in passes] == []
 
 
 def test_every_table_of_the_package_that_is_named_is_there() -> None:

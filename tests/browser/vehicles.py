@@ -16,8 +16,9 @@ from sightline.enums import ProposedPoint
 from sightline.infra.services import open_services
 from sightline.recordings.store import get_recording
 from sightline.settings import load_settings
+from sightline.vehicles.proposing.plan_store import choose_free_plan, get_free_plan
 from sightline.vehicles.proposing.records import PointProposal
-from sightline.vehicles.proposing.store import choose_free_plan, get_free_plan, replace_proposals
+from sightline.vehicles.proposing.store import replace_proposals
 from sightline.vehicles.proposing.tables import proposals
 
 from .conftest import wait_for_demonstration

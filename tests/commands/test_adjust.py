@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from sightline.cli import main
-from sightline.commands.adjust import NEEDED, OPTIONS
+from sightline.commands.passes_csv import NEEDED, OPTIONS
 from sightline.messages.said import Said
 from tests.adjustment.survey import (
     BoardBudget,

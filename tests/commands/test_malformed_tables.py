@@ -16,8 +16,8 @@ from typing import Any
 import pytest
 
 from sightline.cli import main
-from sightline.commands.adjust import read_passes
 from sightline.commands.clicks import heights_csv
+from sightline.commands.passes_csv import read_passes
 from sightline.commands.tracks_csv import read_tracks
 from sightline.errors import BadInput
 from sightline.linescan.rig_calibration import Common

@@ -12,12 +12,9 @@ from sightline.errors import BadInput
 from sightline.geometry.arrays import freeze_array
 from sightline.geometry.board import Board
 from sightline.geometry.calibration import calibrate
-from sightline.geometry.calibration_checks import (
-    calibrate_and_check,
-    cross_validate,
-    cross_validation_warnings,
-)
+from sightline.geometry.calibration_checks import calibrate_and_check
 from sightline.geometry.corners import Corners
+from sightline.geometry.crossvalidation import cross_validate, cross_validation_warnings
 from sightline.geometry.documents import camera_from_dict
 from tests.geometry.scenes import shared
 from tests.geometry.simulate import Lens, Scene

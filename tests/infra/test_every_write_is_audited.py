@@ -72,16 +72,15 @@ from sightline.recordings.store import (
 )
 from sightline.recordings.uploads.store import create_upload, finish_upload, remove_upload, strip_arrived
 from sightline.results.standards_store import choose_standards
-from sightline.reviews.lots.store import add_decision, add_taking_back, add_verdicts_by_lot, get_lot
+from sightline.reviews.lots.query import get_lot
+from sightline.reviews.lots.store import add_decision, add_taking_back, add_verdicts_by_lot
 from sightline.reviews.plan_store import choose_review_plan
 from sightline.reviews.store import add_review
+from sightline.studies.members_store import add_study_member, open_study_to_all, remove_study_member
 from sightline.studies.records import StudyFacts
 from sightline.studies.store import (
-    add_study_member,
     note_study_job,
-    open_study_to_all,
     remove_study,
-    remove_study_member,
     update_study,
 )
 from sightline.surveys.members.store import open_survey_to_all, put_member, remove_member
@@ -99,7 +98,8 @@ from sightline.vehicles.catalogue.store import (
     import_catalogue_rows,
     retire_catalogue_row,
 )
-from sightline.vehicles.proposing.store import choose_free_plan, replace_proposals
+from sightline.vehicles.proposing.plan_store import choose_free_plan
+from sightline.vehicles.proposing.store import replace_proposals
 from sightline.vehicles.store import create_vehicle, remove_vehicle, restore_vehicle, update_vehicle
 from tests.conftest import SERVER
 from tests.support import samples, scans_samples

@@ -51,7 +51,7 @@ from sightline.quality.checks.store import add_wheel_pair
 from sightline.recordings.store import remove_recording
 from sightline.reviews.lots.store import add_decision
 from sightline.reviews.store import add_review
-from sightline.scans.vehicles.measurement_store import add_scan_review
+from sightline.scans.vehicles.review_store import add_scan_review
 from sightline.settings import Settings
 from sightline.surveys.photographs.store import order_photographs
 from sightline.vehicles.records import VehicleChanges

@@ -20,7 +20,7 @@ from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from sightline.measurements.again.store import add_computing
 from sightline.poses import store
-from sightline.quality.adjusting.service import observations_of
+from sightline.quality.adjusting.observations import observations_of
 from sightline.vehicles.catalogue.records import CatalogueRow
 from sightline.vehicles.catalogue.store import add_catalogue_row
 from tests.support.app import Client, error_of

@@ -16,8 +16,8 @@ from sightline.infra.csv_package.replay import Replay
 from sightline.reviews.lots.csv import LOT_ITEMS, LOTS, ItemOfLot
 from sightline.reviews.lots.draw import drawn_order, seed_of
 from sightline.reviews.lots.judged import ItemNow, items_of
+from sightline.reviews.lots.query import decision_of, lot_of
 from sightline.reviews.lots.service import decided_items
-from sightline.reviews.lots.store import decision_of, lot_of
 from sightline.reviews.lots.verify import LotEvents, check_lots
 from sightline.statistics.acceptance import RiskPoints, single_plan
 

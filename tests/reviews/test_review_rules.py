@@ -15,10 +15,10 @@ from sightline.infra.services import Services
 from sightline.measurements import store as measurements_store
 from sightline.quality.repeats.query import measurements_to_click_again
 from sightline.results.measured_columns_query import load_measured_columns
-from sightline.reviews import query
+from sightline.reviews import order_query
+from sightline.reviews.lots.query import waiting_measurements
 from sightline.reviews.lots.service import _groups
-from sightline.reviews.lots.store import waiting_measurements
-from sightline.reviews.query import standing_order
+from sightline.reviews.order_query import standing_order
 from tests.scans.test_scan_again import in_survey
 from tests.support import scans_samples
 from tests.support.app import Client, error_of
@@ -416,13 +416,13 @@ def test_who_clicked_the_points_that_stand_is_their_operator_everywhere(
     assert {one["measurement"]["id"]: one["judged"]["operator"]["id"] for one in queue} == whose
 
     asked: list[list[int]] = []
-    real = query.review_order
+    real = order_query.review_order
 
     def noted(*given: Any) -> Any:
         asked.append(given[3].tolist())
         return real(*given)
 
-    monkeypatch.setattr(query, "review_order", noted)
+    monkeypatch.setattr(order_query, "review_order", noted)
     with services.reading() as session:
         found = load_measured_columns(session, [ground.survey_id])
         standing_order(session, ground.survey_id, None)

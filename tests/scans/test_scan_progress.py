@@ -11,7 +11,8 @@ from sightline.messages.said import Said
 from sightline.results.overview.query import survey_overview
 from sightline.scans.rig.service import rig_of_traffic
 from sightline.scans.store import swap_scan_cameras, update_scan
-from sightline.scans.vehicles.measurement_store import add_scan_review, append_scan_measurement
+from sightline.scans.vehicles.measurement_store import append_scan_measurement
+from sightline.scans.vehicles.review_store import add_scan_review
 from sightline.scans.vehicles.store import change_scan_vehicle, create_scan_vehicle, list_scan_vehicles
 from sightline.surveys.store import create_survey
 from tests.support import samples, scans_samples

@@ -17,7 +17,8 @@ from sightline.recordings.filming import Filming
 from sightline.scans.records import StripSource
 from sightline.scans.references.passing_times import Matching, PassedAt
 from sightline.scans.store import create_scan, note_scan_read
-from sightline.scans.vehicles.measurement_store import add_scan_review, append_scan_measurement
+from sightline.scans.vehicles.measurement_store import append_scan_measurement
+from sightline.scans.vehicles.review_store import add_scan_review
 from sightline.scans.vehicles.store import create_scan_vehicle
 from tests.support import scans_samples
 from tests.support.app import Client, error_of

@@ -17,14 +17,13 @@ from sightline.scans.vehicles.find_job import Search, plan
 from sightline.scans.vehicles.listing import shown_vehicles, vehicles_of
 from sightline.scans.vehicles.measure import Readers
 from sightline.scans.vehicles.measurement_store import (
-    add_scan_review,
     append_scan_measurement,
     append_scan_measurements,
     get_scan_measurement,
     scan_measurement_history,
-    scan_reviews_of_vehicle,
 )
 from sightline.scans.vehicles.motion import motion_of
+from sightline.scans.vehicles.review_store import add_scan_review, scan_reviews_of_vehicle
 from sightline.scans.vehicles.store import (
     change_scan_vehicle,
     create_scan_vehicle,

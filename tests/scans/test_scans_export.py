@@ -32,7 +32,8 @@ from sightline.results.selection import Selection
 from sightline.reviews.store import add_review
 from sightline.scans.clock import ScanClock
 from sightline.scans.store import update_scan
-from sightline.scans.vehicles.measurement_store import add_scan_review, append_scan_measurement
+from sightline.scans.vehicles.measurement_store import append_scan_measurement
+from sightline.scans.vehicles.review_store import add_scan_review
 from sightline.scans.vehicles.store import change_scan_vehicle
 from sightline.scans.verify import check_scans
 from tests.export.report.pdf_text import words

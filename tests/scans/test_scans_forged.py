@@ -29,7 +29,8 @@ from sightline.scans.clock import ScanClock
 from sightline.scans.csv import GAP, LINE_SCANS, SCAN_MEASUREMENTS, SCAN_VEHICLES, TABLES
 from sightline.scans.records import ScanValues
 from sightline.scans.store import note_reading_failed, update_scan
-from sightline.scans.vehicles.measurement_store import add_scan_review, append_scan_measurement
+from sightline.scans.vehicles.measurement_store import append_scan_measurement
+from sightline.scans.vehicles.review_store import add_scan_review
 from sightline.scans.vehicles.store import change_scan_vehicle, create_scan_vehicle
 from sightline.scans.verify import check_scans
 from tests.support import samples, scans_samples

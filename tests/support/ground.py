@@ -15,7 +15,7 @@ from sightline.infra.services import Services
 from sightline.messages.said import Said
 from sightline.poses import store
 from sightline.reviews.plan_store import choose_review_plan
-from sightline.vehicles.proposing.store import choose_free_plan
+from sightline.vehicles.proposing.plan_store import choose_free_plan
 from tests.support.app import FRAME_HEIGHT, FRAME_WIDTH, Client
 
 FOCAL_PX = 150.0

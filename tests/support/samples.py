@@ -33,11 +33,13 @@ from sightline.poses.store import add_pose
 from sightline.recordings.frames.records import FrameTable
 from sightline.recordings.records import Facts, Recording
 from sightline.recordings.store import create_recording, get_recording, note_ingested
+from sightline.reviews.lots.query import get_lot
 from sightline.reviews.lots.records import Lot
-from sightline.reviews.lots.store import add_lot, get_lot
+from sightline.reviews.lots.store import add_lot
 from sightline.statistics.acceptance import USUAL_RISKS, SamplingPlan
+from sightline.studies.members_store import add_study_member
 from sightline.studies.records import StoredStudy, StudyFacts, StudyResult, StudySurvey
-from sightline.studies.store import add_study_member, add_study_result, create_study
+from sightline.studies.store import add_study_result, create_study
 from sightline.surveys.photographs.records import Photograph
 from sightline.surveys.photographs.store import add_photograph
 from sightline.surveys.records import Survey

@@ -11,9 +11,10 @@ from sightline.linescan.line_pose import solve_line_pose
 from sightline.linescan.parts import Rig
 from sightline.measurements.records import Clicks
 from sightline.messages.said import Said
+from sightline.scans.heights.pose_store import append_line_pose
 from sightline.scans.heights.poses import Mark, Rod, pose_of, solved_values
 from sightline.scans.heights.service import answer, height_values
-from sightline.scans.heights.store import append_line_pose, append_scan_height, withdraw_scan_height
+from sightline.scans.heights.store import append_scan_height, withdraw_scan_height
 from sightline.scans.records import (
     LiveSource,
     RunSummary,
@@ -38,11 +39,8 @@ from sightline.scans.store import (
     swap_scan_cameras,
     update_scan,
 )
-from sightline.scans.vehicles.measurement_store import (
-    add_scan_review,
-    append_scan_measurement,
-    append_scan_measurements,
-)
+from sightline.scans.vehicles.measurement_store import append_scan_measurement, append_scan_measurements
+from sightline.scans.vehicles.review_store import add_scan_review
 from sightline.scans.vehicles.run_store import add_scan_run
 from sightline.scans.vehicles.store import (
     change_scan_vehicle,

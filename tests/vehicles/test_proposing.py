@@ -16,8 +16,9 @@ from sightline.measurements.service import made_of
 from sightline.media.video.writer import write_mp4
 from sightline.messages import say
 from sightline.statistics.anchoring import shift, verdict
+from sightline.vehicles.proposing.plan_store import is_drawn_free
 from sightline.vehicles.proposing.records import PointProposal
-from sightline.vehicles.proposing.store import is_drawn_free, replace_proposals
+from sightline.vehicles.proposing.store import replace_proposals
 from tests.media.street import car, street
 from tests.support.app import Client, error_of, upload
 from tests.support.ground import (

@@ -10,7 +10,8 @@ from sightline.commands.geometry_input import board_options, problems_of
 from sightline.commands.options import FILE, choice_option, json_option, output_option, stream_option, tell
 from sightline.enums import LensModel
 from sightline.geometry.board import Board
-from sightline.geometry.calibration_checks import CheckedCalibration, CrossValidation, calibrate_and_check
+from sightline.geometry.calibration_checks import CheckedCalibration, calibrate_and_check
+from sightline.geometry.crossvalidation import CrossValidation
 from sightline.geometry.documents import camera_to_dict
 from sightline.messages.said import Said
 

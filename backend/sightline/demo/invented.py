@@ -39,8 +39,8 @@ from sightline.poses.service import describe_pose
 from sightline.poses.store import add_pose
 from sightline.recordings.filming import Filming
 from sightline.recordings.records import RecordingChanges
+from sightline.reviews.lots.query import get_lot, waiting_measurements
 from sightline.reviews.lots.service import accept_lot, draw_lots, lots_with_items, planned_lots
-from sightline.reviews.lots.store import get_lot, waiting_measurements
 from sightline.reviews.plan_store import choose_review_plan
 from sightline.reviews.store import add_review
 from sightline.statistics.acceptance import USUAL_RISKS

@@ -32,8 +32,9 @@ from sightline.scans.references.store import append_scan_reference
 from sightline.scans.store import create_scan, note_scan_read, update_scan
 from sightline.scans.vehicles.find_job import Planned, Search, search, store
 from sightline.scans.vehicles.measure import measured_at
-from sightline.scans.vehicles.measurement_store import add_scan_review, append_scan_measurement
+from sightline.scans.vehicles.measurement_store import append_scan_measurement
 from sightline.scans.vehicles.motion import crossings_of, values_of, wheels_of, with_wheels
+from sightline.scans.vehicles.review_store import add_scan_review
 from sightline.scans.vehicles.store import change_scan_vehicle, get_scan_vehicle, list_scan_vehicles
 
 NAME = "Line scan, lane 1"

@@ -60,8 +60,8 @@ from sightline.results.measured_columns_query import load_measured_columns
 from sightline.results.selection import Selection
 from sightline.results.survey_statistics import filter_measured, filter_of
 from sightline.reviews.lots.csv import LOT_ITEMS, LOTS, ItemOfLot
+from sightline.reviews.lots.query import items_of_deleted_vehicles, list_lots
 from sightline.reviews.lots.service import lots_with_items
-from sightline.reviews.lots.store import items_of_deleted_vehicles, list_lots
 from sightline.surveys.csv import CLASSES, INSETS, QUOTAS, SAMPLING, SURVEY, insets_in_force
 from sightline.surveys.photographs.csv import PHOTOGRAPHS, photograph_path
 from sightline.surveys.photographs.service import photograph_content

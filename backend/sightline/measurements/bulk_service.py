@@ -9,6 +9,7 @@ from sightline.infra.database.rows import missing
 from sightline.measurements.again.query import contexts_of_survey
 from sightline.measurements.click_context_query import ClickContext, frames_by_number
 from sightline.measurements.click_sigma_store import of_person
+from sightline.measurements.ground_query import NewMeasurement
 from sightline.measurements.height_of_clicks import answers
 from sightline.measurements.records import Clicks
 from sightline.measurements.service import (
@@ -17,7 +18,7 @@ from sightline.measurements.service import (
     pose_in_force,
     values_of_answer,
 )
-from sightline.measurements.store import NewMeasurement, add_measurements
+from sightline.measurements.store import add_measurements
 from sightline.vehicles.store import update_vehicle
 
 

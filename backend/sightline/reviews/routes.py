@@ -1,71 +1,22 @@
 """Reviews: the queue, and a verdict on a measurement."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Annotated
 
 from fastapi import APIRouter, Query
-from pydantic import Field
 
-from sightline.enums import QueueState, ReviewVerdict, Verdict
+from sightline.enums import QueueState
 from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
-from sightline.infra.web.bodies import FrameNumber, In, Point, Text, example
 from sightline.infra.web.deps import Manager, PathId, Reading, Reviewer, Viewer, Writing
 from sightline.infra.web.named import LotId, MeasurementId
-from sightline.infra.web.quantities import Revision
-from sightline.measurements.bodies import MeasurementBody, measurement_body
-from sightline.measurements.records import Measurement, Review, ScanHeight
+from sightline.measurements.bodies import measurement_body
+from sightline.measurements.records import Measurement, ScanHeight
 from sightline.reviews import plan_store, query, store
-from sightline.reviews.records import Judged, ReviewPlan, ReviewWork, VehicleFacts
+from sightline.reviews.bodies import HeightBody, HistoryBody, NewReview, PlanIn, QueueItemBody
+from sightline.reviews.records import ReviewPlan, ReviewWork
 from sightline.reviews.service import require_seen_by_plan, review
-from sightline.scans.heights.bodies import ScanHeightBody
 from sightline.scans.heights.presenters import scan_height_bodies
-
-# What reviews take and answer.
-
-
-HeightBody = MeasurementBody | ScanHeightBody
-
-
-@dataclass(frozen=True, slots=True)
-class HistoryBody:
-    """Everything ever stored about a height, oldest first."""
-
-    revisions: list[HeightBody]
-    reviews: tuple[Review, ...]
-
-
-class NewReview(In):
-    model_config = example(revision=1, verdict="accepted", seen="to_review")
-
-    revision: Revision
-    verdict: ReviewVerdict
-    reason: Text | None = None
-    frame: FrameNumber | None = None
-    contact: Point | None = None
-    target_point: Point | None = None
-    seen: Verdict | None = Field(
-        default=None, description="The verdict that you saw; another one is a conflict. null: not compared."
-    )
-
-
-@dataclass(frozen=True, slots=True)
-class QueueItemBody:
-    """A height, of a frame or of a line scan, and its vehicle, for a reviewer."""
-
-    measurement: HeightBody
-    vehicle: VehicleFacts
-    mine: Annotated[
-        bool, Field(description="Whether you made this revision: then somebody else has to review it.")
-    ]
-    judged: Judged
-
-
-class PlanIn(In):
-    blind_one_in: Annotated[int, Field(ge=0, le=100)]
-    version: int = Field(description="Of the plan that it replaces.")
-
 
 router = APIRouter()
 

@@ -25,8 +25,9 @@ from sightline.measurements.tables import measurements as revision_rows
 from sightline.measurements.verdicts import require_verdict
 from sightline.reviews.lots.records import LotPlace
 from sightline.reviews.lots.service import places_in_open_lots
+from sightline.reviews.order_query import Standing, standing_order
 from sightline.reviews.plan_store import get_review_plan, is_drawn
-from sightline.reviews.query import Standing, facts_of_scanned, facts_of_vehicles, standing_order
+from sightline.reviews.query import facts_of_scanned, facts_of_vehicles
 from sightline.reviews.records import Judged, QueueItem, ReviewWork, VehicleFacts
 from sightline.scans.heights.store import is_of_line_scan, require_scan_height_revision, scan_heights_of
 

@@ -47,7 +47,8 @@ from sightline.scans.rig.csv import TABLES as RIG_TABLES
 from sightline.scans.rig.csv import fill_rigs
 from sightline.scans.store import list_scans, rig_columns
 from sightline.scans.vehicles.listing import ShownVehicle, shown_vehicles
-from sightline.scans.vehicles.measurement_store import list_scan_reviews, scan_measurement_history
+from sightline.scans.vehicles.measurement_store import scan_measurement_history
+from sightline.scans.vehicles.review_store import list_scan_reviews
 from sightline.scans.vehicles.store import list_scan_vehicles
 from sightline.surveys.store import get_survey
 

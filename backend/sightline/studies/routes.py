@@ -40,8 +40,7 @@ from sightline.studies.bodies import (
     StudySurveyBody,
 )
 from sightline.studies.document import consequence_in
-from sightline.studies.records import StoredStudy, StudyFacts, StudyResult
-from sightline.studies.store import (
+from sightline.studies.members_store import (
     add_study_member,
     is_open_to_all,
     list_study_members,
@@ -51,6 +50,7 @@ from sightline.studies.store import (
     require_surveys,
     sees_result,
 )
+from sightline.studies.records import StoredStudy, StudyFacts, StudyResult
 from sightline.studies.stored import ask_to_compute, check_study_facts, heads_of
 from sightline.surveys.members.store import roles_by_thing, seen_studies
 from sightline.surveys.store import survey_names

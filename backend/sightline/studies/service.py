@@ -22,6 +22,7 @@ from sightline.statistics.study_plan import U95_of, plan
 from sightline.statistics.survey_design import weighting_effect
 from sightline.statistics.total_uncertainty import TotalUncertainty
 from sightline.studies.beside import difference_in_cells, no_difference
+from sightline.studies.places import Places, places_of
 from sightline.studies.records import (
     Curve,
     Fleet,
@@ -34,7 +35,7 @@ from sightline.studies.records import (
 )
 from sightline.studies.rules import rules_of_all, rules_of_classes
 from sightline.studies.shares import class_shares, error_figures
-from sightline.studies.weighted import Places, Weighted, places_of, refuse_fleet, weight_heights
+from sightline.studies.weighted import Weighted, refuse_fleet, weight_heights
 
 TARGETS: tuple[StatisticsTarget, ...] = get_args(StatisticsTarget)
 PERCENTS = (2.5, 5.0, 10.0, 15.0, 50.0, 85.0, 90.0, 95.0, 97.5)

@@ -8,8 +8,9 @@ from sightline.statistics.drawn import Drawn, reorder_design, share_of
 from sightline.statistics.error_totals import ErrorTotals
 from sightline.statistics.figures import TotalFigure
 from sightline.statistics.shared_errors import SharedErrors
+from sightline.studies.places import Places, design_of
 from sightline.studies.records import ClassShare, ErrorFigure, Fleet
-from sightline.studies.weighted import LEAST, Places, design_of, sample_of
+from sightline.studies.weighted import LEAST, sample_of
 
 LEAST_ERRORS = 5  # for a figure of them
 

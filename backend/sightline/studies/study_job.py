@@ -11,7 +11,8 @@ from sightline.media.store.local import key_of, sha256_of
 from sightline.messages import SOURCE
 from sightline.messages.said import Said
 from sightline.people.store import get_person
-from sightline.studies.store import add_study_result, get_study, require_surveys
+from sightline.studies.members_store import require_surveys
+from sightline.studies.store import add_study_result, get_study
 from sightline.studies.stored import KIND
 
 _COMPUTED, _PACKED = 0.85, 0.92  # of the whole work, by progress

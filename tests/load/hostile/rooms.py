@@ -24,7 +24,7 @@ import cv2
 import numpy as np
 
 from sightline.cli import main as command_line
-from sightline.commands.adjust import NEEDED, OPTIONS
+from sightline.commands.passes_csv import NEEDED, OPTIONS
 from sightline.commands.verify import check_export
 from sightline.errors import SightlineError
 from sightline.geometry.documents import camera_to_dict, pose_to_dict

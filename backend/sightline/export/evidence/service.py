@@ -27,8 +27,8 @@ from sightline.people.store import get_person
 from sightline.scans.records import ScanMeasurement, ScanVehicle
 from sightline.scans.service import open_strips
 from sightline.scans.store import get_scan
-from sightline.scans.vehicles.measurement_store import scan_reviews_of_vehicle
 from sightline.scans.vehicles.motion import crossings_of, motion_of
+from sightline.scans.vehicles.review_store import scan_reviews_of_vehicle
 from sightline.scans.vehicles.store import get_scan_vehicle, list_scan_vehicles
 from sightline.surveys.store import get_survey
 

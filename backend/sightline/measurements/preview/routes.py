@@ -4,38 +4,14 @@ from dataclasses import replace
 
 from fastapi import APIRouter
 
-from sightline.enums import Target
 from sightline.geometry.ruler import Ruler
-from sightline.infra.web.bodies import FrameNumber, In, Point, example
 from sightline.infra.web.deps import PathId, Reading, Viewer, Wired
-from sightline.infra.web.named import VehicleId
-from sightline.infra.web.quantities import InsetM, UInsetM
 from sightline.measurements import second_frame
-from sightline.measurements.bodies import ClicksIn, SecondFrameWanted
+from sightline.measurements.bodies import SecondFrameWanted
 from sightline.measurements.height_of_clicks import Answer
+from sightline.measurements.preview.bodies import AxesWanted, HeightWanted
 from sightline.measurements.routes import clicked_frames, clicks_of
 from sightline.measurements.service import height_at, ruler_at
-
-# What the live axes and heights take and answer.
-
-
-class AxesWanted(In):
-    contact: Point
-    target: Target = "roof"
-    inset_m: InsetM | None = None
-    u_inset_m: UInsetM | None = None
-    vehicle_id: VehicleId | None = None
-
-
-class HeightWanted(ClicksIn):
-    model_config = example(
-        target="roof", frame=2, contact=[169.5, 194.5], target_point=[189.5, 134.5], inset_m=0.25
-    )
-
-    target: Target
-    frame: FrameNumber = 0
-    vehicle_id: VehicleId | None = None
-
 
 router = APIRouter()
 

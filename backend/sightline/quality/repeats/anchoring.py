@@ -17,8 +17,8 @@ from sightline.measurements.service import clicked_again
 from sightline.quality.repeats.clicks import height_of_first_frame
 from sightline.quality.repeats.query import measurements_with_proposals
 from sightline.statistics.anchoring import Shift, shift, verdict
+from sightline.vehicles.proposing.plan_store import get_free_plan
 from sightline.vehicles.proposing.records import FreePlan
-from sightline.vehicles.proposing.store import get_free_plan
 
 GOAL_M = 0.002
 

@@ -9,8 +9,8 @@ from sightline.enums import LotGrouping
 from sightline.infra.web.bodies import In
 from sightline.infra.web.deps import PathId, Reading, Reviewer, Viewer, Writing
 from sightline.reviews.lots import service
+from sightline.reviews.lots.query import get_lot
 from sightline.reviews.lots.records import LotSummary, PlannedLot, ShownLot
-from sightline.reviews.lots.store import get_lot
 from sightline.statistics.acceptance import USUAL_RISKS, RiskPoints
 
 router = APIRouter()

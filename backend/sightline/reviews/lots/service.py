@@ -9,7 +9,7 @@ from sightline.errors import BadInput, Conflict, NotAllowed
 from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.infra.database.rows import names
-from sightline.reviews.lots import store
+from sightline.reviews.lots import query, store
 from sightline.reviews.lots.judged import items_of, lot_item
 from sightline.reviews.lots.records import (
     CurvePoint,
@@ -77,13 +77,13 @@ def accept_lot(session: Session, lot_id: int, *, actor: int) -> Lot:
     if not progress.may_accept:
         raise Conflict("lots-too-many", count=progress.nonconforming, most=lot.acceptance_number)
     rest = [one for one in items if one.role == "rest"]
-    if store.own_items(session, lot_id, actor) & {one.measurement_id for one in rest}:
+    if query.own_items(session, lot_id, actor) & {one.measurement_id for one in rest}:
         raise NotAllowed("lots-own-heights")
     store.add_decision(session, lot, "accepted", items, actor=actor)
-    vehicle = store.vehicles_of(session, lot.id)
+    vehicle = query.vehicles_of(session, lot.id)
     judged = [(one.measurement_id, one.revision, vehicle[one.measurement_id]) for one in rest]
     store.add_verdicts_by_lot(session, lot, "accepted", judged, then="to_review", actor=actor)
-    return store.get_lot(session, lot_id)
+    return query.get_lot(session, lot_id)
 
 
 def inspect_fully(session: Session, lot_id: int, *, actor: int) -> Lot:
@@ -93,7 +93,7 @@ def inspect_fully(session: Session, lot_id: int, *, actor: int) -> Lot:
     """
     lot = _open(session, lot_id)
     store.add_decision(session, lot, "full_inspection", _items(session, lot), actor=actor)
-    return store.get_lot(session, lot_id)
+    return query.get_lot(session, lot_id)
 
 
 def dissolve_lot(session: Session, lot_id: int, *, actor: int) -> Lot:
@@ -101,33 +101,33 @@ def dissolve_lot(session: Session, lot_id: int, *, actor: int) -> Lot:
     again until a sample pleases would need no sample.
     """
     lot = _open(session, lot_id)
-    now = store.items_now(session, (lot,))[lot.id]
+    now = query.items_now(session, (lot,))[lot.id]
     items = items_of(now, lot.sample_size)
     sample = {one.measurement_id for one in items if one.role == "sample"}
     if any(one.said for one in now if one.measurement_id in sample):
         raise Conflict("lots-judged-already")
     store.add_decision(session, lot, "dissolved", items, actor=actor)
-    return store.get_lot(session, lot_id)
+    return query.get_lot(session, lot_id)
 
 
 def take_back_lot(session: Session, lot_id: int, *, actor: int) -> Lot:
     """Every verdict that stands by this lot is taken back, as one act; what was judged or measured since
     stays. Raises NotFound, Conflict unless the lot was accepted.
     """
-    lot = store.get_lot(session, lot_id)
+    lot = query.get_lot(session, lot_id)
     if lot.state != "accepted" or lot.decision is None:
         raise Conflict("lots-not-accepted")
     standing = [
-        (row.series_id, row.revision, row.vehicle_id) for row in store.standing_by_lot(session, lot_id)
+        (row.series_id, row.revision, row.vehicle_id) for row in query.standing_by_lot(session, lot_id)
     ]
     store.add_taking_back(session, lot, lot.decision, len(standing), actor=actor)
     store.add_verdicts_by_lot(session, lot, "reopened", standing, then="accepted", actor=actor)
-    return store.get_lot(session, lot_id)
+    return query.get_lot(session, lot_id)
 
 
 def shown_lots(session: Session, survey_id: int, *, actor: int | None) -> tuple[ShownLot, ...]:
     """A survey's lots with all that is told of them, newest first."""
-    found = lots_with_items(session, store.list_lots(session, survey_id))
+    found = lots_with_items(session, query.list_lots(session, survey_id))
     return tuple(_show_lot(session, lot, items, actor) for lot, items in reversed(found))
 
 
@@ -139,7 +139,7 @@ def shown_lot(session: Session, lot: Lot, *, actor: int | None) -> ShownLot:
 
 def lots_with_items(session: Session, lots: Sequence[Lot]) -> list[tuple[Lot, tuple[LotItem, ...]]]:
     """Each lot with its items: as they stand, or as they stood when it was decided."""
-    now = store.items_now(session, lots)
+    now = query.items_now(session, lots)
     return [
         (
             lot,
@@ -164,11 +164,11 @@ def decided_items(lot: Lot, now: Sequence[Any]) -> tuple[LotItem, ...]:
 
 def lot_summary(session: Session, survey_id: int) -> LotSummary:
     """How many accepted heights rest on what, and what accepted lots let through at most."""
-    counts = store.accepted_counts(session, survey_id)
+    counts = query.accepted_counts(session, survey_id)
     individual = counts.pop(None, 0)
     passed = outgoing_of_lots(
         (one.judged + one.rest, one.judged, one.nonconforming, counts[lot.id])
-        for lot in store.list_lots(session, survey_id)
+        for lot in query.list_lots(session, survey_id)
         if lot.state == "accepted" and (one := lot.decision) is not None
     )
     held = sum(not place.in_sample for place in places_in_open_lots(session, survey_id).values())
@@ -179,7 +179,7 @@ def places_in_open_lots(session: Session, survey_id: int) -> dict[int, LotPlace]
     """Of each measurement that an open lot holds: which lot, and whether it is of the sample."""
     return {
         item.measurement_id: LotPlace(lot.id, lot.number, item.role == "sample")
-        for lot, items in lots_with_items(session, store.open_lots(session, survey_id))
+        for lot, items in lots_with_items(session, query.open_lots(session, survey_id))
         for item in items
         if item.role != "left"
     }
@@ -228,7 +228,7 @@ def _risks_kept(lot: Lot) -> RiskPoints:
 def _progress(session: Session, lot: Lot, items: Sequence[LotItem], actor: int | None) -> Progress:
     decided = lot.decision
     if decided is None:
-        own = store.own_items(session, lot.id, actor) if actor is not None else ()
+        own = query.own_items(session, lot.id, actor) if actor is not None else ()
         return progress_of(lot, items, own)
     return filled_from(
         Progress,
@@ -242,14 +242,14 @@ def _progress(session: Session, lot: Lot, items: Sequence[LotItem], actor: int |
 
 
 def _open(session: Session, lot_id: int) -> Lot:
-    lot = store.get_lot(session, lot_id)
+    lot = query.get_lot(session, lot_id)
     if lot.state != "open":
         raise Conflict("lots-decided-already", number=lot.number)
     return lot
 
 
 def _items(session: Session, lot: Lot) -> tuple[LotItem, ...]:
-    return items_of(store.items_now(session, (lot,))[lot.id], lot.sample_size)
+    return items_of(query.items_now(session, (lot,))[lot.id], lot.sample_size)
 
 
 def _groups(session: Session, survey_id: int, by: Collection[LotGrouping]) -> list[_Group]:
@@ -262,7 +262,7 @@ def _groups(session: Session, survey_id: int, by: Collection[LotGrouping]) -> li
         "day": "day",
     }
     wanted = [(one, names_of[one]) for one in names_of if one in by]
-    for row in store.waiting_measurements(session, survey_id):
+    for row in query.waiting_measurements(session, survey_id):
         has = {**row._mapping, "day": row.clicked_at.date().isoformat()}
         groups[tuple(has[name] for _, name in wanted)].append((row.series_id, row.revision))
     found = [
@@ -274,4 +274,4 @@ def _groups(session: Session, survey_id: int, by: Collection[LotGrouping]) -> li
 
 def _planned(common: dict[str, Any], size: int, risks: RiskPoints, people: dict[int, str]) -> PlannedLot:
     plan = single_plan(size, risks)
-    return filled_from(PlannedLot, plan, common=store.common_of(common, people), size=size, saves=plan.saves)
+    return filled_from(PlannedLot, plan, common=query.common_of(common, people), size=size, saves=plan.saves)

@@ -15,9 +15,9 @@ from sightline.infra.csv_package.replay import Replay, hold_all, values_of
 from sightline.reviews.lots.csv import LOT_ITEMS, LOTS, ItemOfLot
 from sightline.reviews.lots.draw import drawn_order, seed_of
 from sightline.reviews.lots.judged import ItemNow, Judgement, items_of
+from sightline.reviews.lots.query import decision_of, lot_of
 from sightline.reviews.lots.records import Lot, LotItem
 from sightline.reviews.lots.service import decided_items
-from sightline.reviews.lots.store import decision_of, lot_of
 from sightline.statistics.acceptance import accepted_with, best_bad, worst_good
 
 _HAIR = 1e-6

@@ -13,8 +13,9 @@ from sightline.measurements.again.records import ComputedHeight
 from sightline.measurements.query import with_verdict
 from sightline.measurements.tables import computings, measurement_series, measurements
 from sightline.messages.said import Said
+from sightline.scans.heights.pose_store import current_line_poses
 from sightline.scans.heights.records import StoredLinePose
-from sightline.scans.heights.store import current_line_poses, stands
+from sightline.scans.heights.store import stands
 from sightline.scans.heights.tables import line_poses
 from sightline.scans.tables import scan_vehicles, scans
 from sightline.surveys.store import get_survey

@@ -24,10 +24,11 @@ from sightline.measurements.csv import MEASUREMENTS, given_verdict
 from sightline.measurements.query import reviews_of_series
 from sightline.measurements.records import Review, ScanHeight, ScanHeightValues
 from sightline.measurements.tables import measurement_series
+from sightline.scans.heights.pose_store import line_pose_history
 from sightline.scans.heights.poses import line_pose_result
 from sightline.scans.heights.records import LinePoseValues, StoredLinePose
 from sightline.scans.heights.service import causes_now_of_scan
-from sightline.scans.heights.store import line_pose_history, scan_height_history_of_scan
+from sightline.scans.heights.store import scan_height_history_of_scan
 from sightline.surveys.records import Inset
 
 _MADE = "version of the program that computed it"

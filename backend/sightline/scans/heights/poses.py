@@ -18,8 +18,8 @@ from sightline.infra.database import Session
 from sightline.infra.version import code_version
 from sightline.linescan.line_pose import LinePose, LinePoseError, solve_line_pose
 from sightline.messages.said import Said
+from sightline.scans.heights.pose_store import append_line_pose, line_pose_history
 from sightline.scans.heights.records import LinePoseValues, StoredLinePose
-from sightline.scans.heights.store import append_line_pose, line_pose_history
 from sightline.scans.service import is_within_strips, require_ready
 from sightline.scans.store import get_scan
 

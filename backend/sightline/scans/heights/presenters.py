@@ -7,8 +7,9 @@ from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.measurements.records import ScanHeight
 from sightline.scans.heights.bodies import ScanHeightBody
+from sightline.scans.heights.pose_store import current_line_poses
 from sightline.scans.heights.service import causes_now_of_scan
-from sightline.scans.heights.store import current_line_poses, revisions_of_own_clicks
+from sightline.scans.heights.store import revisions_of_own_clicks
 from sightline.surveys.store import get_survey
 
 

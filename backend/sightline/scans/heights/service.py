@@ -21,9 +21,10 @@ from sightline.measurements.again.differences import causes_now, facts_of
 from sightline.measurements.height_of_clicks import filled_in
 from sightline.measurements.records import Clicks, ScanHeight, ScanHeightValues
 from sightline.messages.said import Said
+from sightline.scans.heights.pose_store import current_line_poses
 from sightline.scans.heights.poses import pose_of
 from sightline.scans.heights.records import StoredLinePose
-from sightline.scans.heights.store import append_scan_height, current_line_poses
+from sightline.scans.heights.store import append_scan_height
 from sightline.scans.records import ScanVehicle
 from sightline.scans.service import is_within_strips
 from sightline.scans.store import get_scan

@@ -1,7 +1,6 @@
 """Heights of scanned vehicles: one measurement a vehicle's target; a withdrawn one is a revision too."""
 
 from collections.abc import Collection
-from dataclasses import asdict
 from typing import Any
 
 from sqlalchemy import ColumnElement, Select, and_, select
@@ -10,9 +9,7 @@ from sqlalchemy.orm import Session
 from sightline.enums import Target
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit.records import name_or_somebody
-from sightline.infra.audit.written import written_once, written_rows
-from sightline.infra.by_name import record_of
-from sightline.infra.database.rows import add_row, get_row, missing
+from sightline.infra.database.rows import add_row, missing
 from sightline.measurements.again.query import Made, made_among
 from sightline.measurements.query import (
     OF_LINES,
@@ -25,52 +22,8 @@ from sightline.measurements.query import (
 from sightline.measurements.records import ScanHeight, ScanHeightValues
 from sightline.measurements.store import append_revision, require_seen, verdict_that_stood
 from sightline.measurements.tables import measurement_series, measurements, reviews
-from sightline.scans.heights.records import LinePoseValues, StoredLinePose
-from sightline.scans.heights.tables import line_poses
-from sightline.scans.records import StoredRevision
 from sightline.scans.tables import scan_vehicles, scans
 from sightline.scans.vehicles.store import require_scan_vehicle_version
-
-# Poses of a scan's line camera from rod marks: append-only, a new one supersedes the one before.
-
-
-def append_line_pose(
-    session: Session, scan_id: int, values: LinePoseValues, *, seen_revision: int, actor: int | None
-) -> StoredLinePose:
-    """The next calibration of a scan. Heights keep the one that they were computed with.
-
-    `seen_revision`: 0 where none was there. Raises NotFound, Conflict if another one came meanwhile.
-    """
-    scan = get_row(session, scans, scan_id, "line-scan recording", scans.c.deleted_at.is_(None))
-    before = current_line_poses(session, scan_id)
-    revision = before.revision if before else 0
-    if revision != seen_revision:
-        name = name_or_somebody(before.created_by if before else None)
-        raise Conflict("scans-calibrated-meanwhile", name=name)
-    content = {"survey_id": scan["survey_id"], "scan_id": scan_id, "revision": revision + 1, **asdict(values)}
-    written_once(
-        session,
-        line_poses,
-        content,
-        "calibrate",
-        before={"revision": revision, "camera_height_m": before.values.camera_height_m} if before else None,
-        untold=("pose",),
-        actor=actor,
-    )
-    return line_pose_history(session, scan_id)[-1]
-
-
-def current_line_poses(session: Session, scan_id: int) -> StoredLinePose | None:
-    """The newest calibration of a scan, None where there is none."""
-    found = line_pose_history(session, scan_id)
-    return found[-1] if found else None
-
-
-def line_pose_history(session: Session, scan_id: int) -> tuple[StoredLinePose, ...]:
-    """Every calibration of a scan, oldest first."""
-    rows = written_rows(session, line_poses, line_poses.c.scan_id == scan_id)
-    return tuple(record_of(StoredRevision, row, values=record_of(LinePoseValues, row)) for row in rows)
-
 
 _s, _m = measurement_series.c, measurements.c
 _alive: ColumnElement[bool] = and_(scan_vehicles.c.deleted_at.is_(None), scans.c.deleted_at.is_(None))

@@ -3,34 +3,18 @@
 from typing import Annotated
 
 from fastapi import APIRouter, File, Query, UploadFile
-from pydantic import Field
 
 from sightline.enums import ReferenceQuantity, ReferenceSource
-from sightline.infra.web.bodies import Finite, In
 from sightline.infra.web.deps import Operator, PathId, Wired
-from sightline.infra.web.quantities import SeenRevision, Word
+from sightline.infra.web.quantities import SeenRevision
 from sightline.infra.web.uploaded import whole_file
 from sightline.scans.bodies import ScanVehicleBody
 from sightline.scans.presenters import changed_vehicle
 from sightline.scans.references import store
+from sightline.scans.references.bodies import ReferenceIn
 from sightline.scans.references.import_csv import MOST_BYTES, import_references, plan_references
 from sightline.scans.references.passing_times import MOST_TOLERANCE_S, USUAL_TOLERANCE_S
 from sightline.scans.references.records import ReferencePlan, ReferencesImported, ReferenceValues
-
-# Bodies of reference values: m/s for speeds, metres for lengths; u at k = 1.
-
-
-Positive = Annotated[Finite, Field(gt=0, le=1000)]
-
-
-class ReferenceIn(In):
-    """What this source says, in place of what was seen."""
-
-    value: Positive = Field(description="m/s of a speed, metres of a length.")
-    u: Positive = Field(description="Its standard uncertainty (k = 1), in the same unit.")
-    device: Word | None = Field(default=None, description="Which radar, whose tape.")
-    revision: SeenRevision
-
 
 router = APIRouter()
 Sent = Annotated[UploadFile, File(description="CSV in UTF-8.")]

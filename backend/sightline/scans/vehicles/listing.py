@@ -12,8 +12,9 @@ from sightline.scans.references.records import StoredReference
 from sightline.scans.references.service import beside_ours
 from sightline.scans.references.store import standing_references, standing_references_of
 from sightline.scans.store import get_scan
-from sightline.scans.vehicles.measurement_store import scan_measurement_history, scan_reviews_of_vehicle
+from sightline.scans.vehicles.measurement_store import scan_measurement_history
 from sightline.scans.vehicles.motion import gaps_of, motion_of
+from sightline.scans.vehicles.review_store import scan_reviews_of_vehicle
 from sightline.scans.vehicles.store import get_scan_vehicle, list_scan_vehicles
 from sightline.statistics.references import Agreement
 

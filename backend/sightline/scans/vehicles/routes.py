@@ -23,7 +23,7 @@ from sightline.scans.bodies import (
 )
 from sightline.scans.match import match_picture
 from sightline.scans.presenters import changed_vehicle, detail_body, vehicle_body
-from sightline.scans.vehicles import edits, listing, measurement_store, store
+from sightline.scans.vehicles import edits, listing, review_store, store
 
 router = APIRouter()
 
@@ -140,7 +140,7 @@ def review_scan_measurement(
 ) -> ScanVehicleBody:
     """Accept, reject (with a reason) or reopen a revision; never boundaries of one's own."""
     with services.writing() as session:
-        judged = measurement_store.add_scan_review(
+        judged = review_store.add_scan_review(
             session, measurement_id, verdict=body.verdict, reason=body.reason, seen=body.seen, actor=who.id
         )
     return changed_vehicle(services, judged.vehicle_id, who.id)

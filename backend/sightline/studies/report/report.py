@@ -3,72 +3,25 @@
 Set as a survey's report is (`export.report`), from a template of its own beside this file.
 """
 
-from collections.abc import Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 
-import numpy as np
-from matplotlib.axes import Axes
-
 from sightline import messages
 from sightline.enums import LengthUnit
-from sightline.export.report import marks
-from sightline.export.report.canvas import FULL, INK, Drawing, svg
-from sightline.export.report.marks import MAIN, RAW
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.report import set_pdf, templates, values_json
 from sightline.export.report.results import rule_values
-from sightline.export.report.said import sentence_of_key, sentence_of_said, speaking, spoken_language
+from sightline.export.report.said import sentence_of_key, sentence_of_said, speaking
 from sightline.export.report.settable import Values
-from sightline.export.report.units import HEIGHT, unit_words
-from sightline.export.report.words import GROUPINGS, TARGETS
+from sightline.export.report.units import unit_words
+from sightline.export.report.words import GROUPINGS
 from sightline.results.standards_store import joined_standards
 from sightline.results.survey_statistics import standards_of
-from sightline.results.usual_standards import in_language
 from sightline.statistics.standards import Standard
 from sightline.studies.consequence import consequence
-from sightline.studies.records import Curve, StoredStudy, Study
+from sightline.studies.records import StoredStudy, Study
+from sightline.studies.report.drawing import curve_drawing
 from sightline.studies.stored import Computed, plan_of
-
-# The figure of a study's report: a target's distribution with its band, beside the heights of standards.
-
-
-_REACH_M = 0.15  # so far beyond the heights a standard is still drawn
-
-
-def curve_drawing(curve: Curve, standards: Sequence[Standard], unit: LengthUnit) -> Drawing:
-    """Percentiles of true heights with their total intervals; dashed: with random error left in."""
-    scale, word = HEIGHT[unit], TARGETS[curve.target]
-    title = sentence_of_key("report-fig-true", target=word)
-    share = [one.percent for one in curve.points]
-    value = scale.factor * np.array([one.value for one in curve.points])
-    raw = scale.factor * np.array([one.raw for one in curve.points])
-    known = [one for one in curve.points if one.U95_low is not None and one.U95_high is not None]
-    heights_m = [one.value for one in curve.points if one.value is not None]
-    shown = (heights_m[0] - _REACH_M, heights_m[-1] + _REACH_M)
-    named = ((one.height_m, in_language(one, spoken_language()).name) for one in standards)
-    limits = marks.limits_of(named, shown, unit)
-
-    def draw(axes: Axes) -> None:
-        if known:
-            low = scale.factor * np.array([one.U95_low for one in known])
-            high = scale.factor * np.array([one.U95_high for one in known])
-            at = [one.percent for one in known]
-            axes.fill_betweenx(at, low, high, color=INK, alpha=0.13, linewidth=0)
-        axes.plot(raw, share, label=sentence_of_key("report-fig-error-left-in"), **RAW.line())
-        axes.plot(value, share, label=sentence_of_key("report-fig-true-curve"), **MAIN.line())
-        axes.set(
-            xlabel=sentence_of_key("report-fig-height-above", target=word, unit=scale.sign),
-            ylabel=sentence_of_key("report-fig-share"),
-            ylim=(0, 100),
-        )
-        axes.margins(x=0.02)
-        marks.limits(axes, limits)
-        axes.legend(loc="lower right")
-
-    sheet = marks.add_header_row(FULL, limits)
-    return Drawing(svg(draw, title, sheet), title, sentence_of_key("report-fig-true-caption"))
-
 
 _FOLDER, _FIRST = Path(__file__).parent, "study.typ"
 _UNIT: LengthUnit = "m"

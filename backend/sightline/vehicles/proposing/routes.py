@@ -6,7 +6,7 @@ from pydantic import Field
 from sightline.infra.web.bodies import In, JobBody
 from sightline.infra.web.deps import Manager, Operator, PathId, Reading, Viewer, Writing
 from sightline.recordings.store import get_recording
-from sightline.vehicles.proposing import propose_job, store
+from sightline.vehicles.proposing import plan_store, propose_job
 from sightline.vehicles.proposing.records import FreePlan, PointProposal
 from sightline.vehicles.proposing.store import proposals_of_recording
 
@@ -39,12 +39,12 @@ def list_proposals(recording_id: PathId, who: Viewer, session: Reading) -> list[
 @router.get("/surveys/{survey_id}/free-plan")
 def free_plan(survey_id: PathId, who: Viewer, session: Reading) -> FreePlan:
     """How many vehicles are measured free of proposals, to know how far people lean on them."""
-    return store.get_free_plan(session, survey_id)
+    return plan_store.get_free_plan(session, survey_id)
 
 
 @router.put("/surveys/{survey_id}/free-plan")
 def choose_free_plan(survey_id: PathId, body: FreePlanIn, who: Manager, session: Writing) -> FreePlan:
     """Put another plan in its place; which vehicles it hits the server draws."""
-    return store.choose_free_plan(
+    return plan_store.choose_free_plan(
         session, survey_id, free_one_in=body.free_one_in, version=body.version, actor=who.id
     )
