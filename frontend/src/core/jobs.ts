@@ -16,7 +16,7 @@ export function isOver(job: Job): boolean {
 }
 
 /** Follows one job until it is over. Polls quickly at first, then every two seconds. */
-export async function followJob(
+async function followJob(
   id: number,
   onChange: (job: Job) => unknown,
   signal?: AbortSignal,
