@@ -360,8 +360,10 @@ def test_errors_of_motion_lead_with_the_speed_and_stand_on_one_line(
     line = "it => parseFloat(getComputedStyle(it).lineHeight)"
     for table in (speeds, sizes):
         for name in table.locator("tbody td:first-child").all():
-            inside = name.evaluate("it => { const all = document.createRange(); all.selectNodeContents(it);"
-                                   " return all.getBoundingClientRect().height }")
+            inside = name.evaluate(
+                "it => { const all = document.createRange(); all.selectNodeContents(it);"
+                " return all.getBoundingClientRect().height }"
+            )
             assert inside < 1.5 * name.evaluate(line), name.inner_text()
         width, room = table.evaluate("it => [it.parentElement.scrollWidth, it.parentElement.clientWidth]")
         assert width <= room

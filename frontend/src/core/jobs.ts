@@ -1,4 +1,5 @@
 /** Long work: poll the server's job table, tell progress, tell the end once. */
+import type { Signal } from "@preact/signals";
 import { useEffect, useState } from "preact/hooks";
 import { useAction } from "./action";
 import { ApiError, api } from "./api";
@@ -15,9 +16,9 @@ export function isOver(job: Job): boolean {
 }
 
 /** Follows one job until it is over. Polls quickly at first, then every two seconds. */
-export async function followJob(
+async function followJob(
   id: number,
-  onChange: (job: Job) => void,
+  onChange: (job: Job) => unknown,
   signal?: AbortSignal,
 ): Promise<Job> {
   for (let wait = 250; ; wait = Math.min(2000, wait * 1.3)) {
@@ -26,6 +27,12 @@ export async function followJob(
     if (isOver(job)) return job;
     await sleep(wait, signal);
   }
+}
+
+/** The same into a signal, from what is known of the job on. */
+export function followInto(shown: Signal<Job | null>, job: Job, signal: AbortSignal): Promise<Job> {
+  shown.value = job;
+  return followJob(job.id, (now) => (shown.value = now), signal);
 }
 
 export function lastWords({ result }: Job): string | null {

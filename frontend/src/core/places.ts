@@ -71,13 +71,10 @@ const COMPILED = PLACES.map((place) => ({
   path: new RegExp(`^${place.pattern.replace(":id", "([1-9][0-9]{0,15})")}$`),
 }));
 
-export interface Match {
-  place: Place;
-  surveyId: number;
-}
+export type Match = NonNullable<ReturnType<typeof match>>;
 
 /** The place of a path, or null. An id is a positive integer; a trailing slash does not matter. */
-export function match(pathname: string): Match | null {
+export function match(pathname: string) {
   const bare = pathname.length > 1 ? pathname.replace(/\/+$/, "") : pathname;
   for (const { place, path } of COMPILED) {
     const parts = path.exec(bare);

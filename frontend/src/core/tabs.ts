@@ -4,14 +4,10 @@ import { say } from "./messages";
 import { type PlaceName, titleOf } from "./places";
 import { survey } from "./survey";
 
-export interface PageTab {
-  href: string;
-  word: string;
-  here: boolean;
-}
+export type PageTab = ReturnType<typeof reviewTabs>[number];
 
 /** Review: the queue, lots, and the same heights clicked again. */
-export function reviewTabs(surveyId: number, here: PlaceName): PageTab[] {
+export function reviewTabs(surveyId: number, here: PlaceName) {
   const at = `/surveys/${surveyId}`;
   return [
     { href: `${at}/review`, word: say("review-queue-tab"), here: here === "review" },

@@ -2,17 +2,13 @@
  *  (CONVENTIONS.md, Several frames). The unknowns: place of the first contact (2), travel to each further frame, heading,
  *  then the target ahead of the contact, inboard (the inset) and above the road. */
 import type { Pose, Vector } from "./documents";
-import { contactOf, type Placed, rayOf } from "./height";
+import { contactOf, rayOf } from "./height";
 import { distorted, type Point } from "./lens";
 import { condition, solved } from "./solving";
 
 export interface Clicked {
   contact: Point;
   target: Point;
-}
-
-export interface FromFrames extends Placed {
-  solved_inset_m: number;
 }
 
 const U_HEADING = Math.PI / 180;
@@ -26,7 +22,7 @@ interface Linear {
 }
 
 /** The height from all frames, the first one first; null where they give none. */
-export function heightOfFrames(pose: Pose, frames: readonly Clicked[], sigma_px: number): FromFrames | null {
+export function heightOfFrames(pose: Pose, frames: readonly Clicked[], sigma_px: number) {
   const start = startOf(pose, frames);
   if (start === null) return null;
   const travel = [0, ...start.slice(2, frames.length + 1)];

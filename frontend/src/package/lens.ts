@@ -2,22 +2,14 @@
  *  line with the program that measured, so that a fault of the one is not a fault of the other. */
 import type { Camera } from "./documents";
 
-export interface Distorted {
-  x: number;
-  y: number;
-  /** the 2x2 derivative, which is symmetric */
-  xx: number;
-  xy: number;
-  yy: number;
-}
 export type Point = readonly [number, number];
 
 const FARTHEST = 11.43;
 const RADII = 512;
 const ANGLES = 72;
 
-/** A normalised point through the lens. */
-export function distorted({ model, distortion: k }: Camera, x: number, y: number): Distorted {
+/** A normalised point through the lens, and the 2x2 derivative there, which is symmetric. */
+export function distorted({ model, distortion: k }: Camera, x: number, y: number) {
   const r2 = x * x + y * y;
   const [gain, slope] = model === "fisheye" ? fisheye(k, r2) : brown(k, r2);
   const [p1, p2] = model === "fisheye" ? [0, 0] : [k[2] ?? 0, k[3] ?? 0];

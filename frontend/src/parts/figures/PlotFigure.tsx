@@ -43,6 +43,7 @@ export interface LegendEntry {
   word: string;
   dash?: string;
   faint?: boolean;
+  /** Ink, purple or ochre; ink unless said. */
   hue?: Hue;
   dot?: Dot;
 }

@@ -5,17 +5,12 @@ import { say } from "../../core/messages";
 import type { Density, Ecdf, Standard } from "../../core/types";
 import { fixed, type LengthUnit } from "../../core/units";
 import type { Cell } from "./csv";
-import { type Hue, hueOf, inkOf } from "./hues";
-import type { Plot } from "./PlotFigure";
+import { hueOf, inkOf } from "./hues";
+import type { LegendEntry, Plot } from "./PlotFigure";
 import { readable } from "./reading";
 import { inWords, limitDigits } from "./standards";
 
-export interface Curve {
-  word: string;
-  dash?: string;
-  faint?: boolean;
-  /** Ink, purple or ochre; ink unless said. */
-  hue?: Hue;
+export interface Curve extends Omit<LegendEntry, "dot"> {
   band?: boolean;
 }
 

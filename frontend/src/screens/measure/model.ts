@@ -56,15 +56,11 @@ export class MeasureModel implements PassDesk {
   readonly records: Records;
   readonly vehicles: Vehicles;
   readonly standing: Standing = new Standing(this);
-  readonly second: SecondFrame = new SecondFrame(this, () => this.points);
+  readonly second: SecondFrame = new SecondFrame(this, (...change) => this.points.revise(...change));
   readonly points: Points = new Points(this, this.second);
   readonly passes: Passes = new Passes(this);
   readonly insets: Insets = new Insets(this, this.points);
-  readonly whole: WholePass = new WholePass(this, () => ({
-    clicks: this.points.clicks,
-    rest: (key) => this.points.rest(key),
-    last: () => this.second.last,
-  }));
+  readonly whole: WholePass = new WholePass(this, this.second, this.points.revise);
   readonly snapping: Snapping = new Snapping(this);
   /** Where the proposed contact was turned down, a click means another place. */
   readonly snaps = computed(

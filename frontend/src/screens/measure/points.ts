@@ -15,7 +15,7 @@ import { awaiting, type Effect, type Selection } from "./flow";
 import { type ClickLedger, clickLedger, contactLedger } from "./ledgers";
 import { Previews } from "./previews";
 import type { Entry } from "./records";
-import type { SecondFrame } from "./secondFrame";
+import type { Revise, SecondFrame } from "./secondFrame";
 import { idOf } from "./standing";
 
 /** A run of nudges becomes one revision and one undo step when it has been quiet for so long. */
@@ -217,6 +217,15 @@ export class Points implements ClickTool {
       (changes) => changes.write(this.clicks, key, { ...values, withdrawn: true }),
     );
   }
+
+  /** Another revision of what was clicked; read again once the server has it. */
+  readonly revise: Revise = (key, to, label, preview) => {
+    this.desk.history.run(this.desk.stepName(label), (changes) => {
+      changes.touch(this.clicks, key);
+      this.desk.records.change(key, to, { preview });
+    });
+    void this.rest(key);
+  };
 
   setInset(key: string, inset: Inset): void {
     const values = this.desk.records.find(key)?.values;

@@ -13,7 +13,6 @@ import { type ImagePoint, samePoint } from "../../viewer/points";
 import { framesOf, ofFrames, pointsOn, type Values } from "../../viewer/values";
 import type { ClickTool, Desk } from "./desk";
 import type { Role } from "./flow";
-import type { ClickLedger } from "./ledgers";
 import type { Entry } from "./records";
 
 export interface Going {
@@ -23,11 +22,8 @@ export interface Going {
   readonly answer: SecondFrameAnswer;
 }
 
-/** How a change of a measurement is stored: as a step, and read again once the server has it. */
-interface Storing {
-  readonly clicks: ClickLedger;
-  rest(key: string): Promise<void>;
-}
+/** Stores a change of a measurement, as a step. */
+export type Revise = (key: string, to: Partial<Values>, label: string, preview: Entry["preview"]) => void;
 
 export class SecondFrame implements ClickTool {
   /** The measurement that gets a further frame; null while nothing of the kind is going on. */
@@ -73,7 +69,7 @@ export class SecondFrame implements ClickTool {
 
   constructor(
     private readonly desk: Desk,
-    private readonly storing: () => Storing,
+    private readonly revise: Revise,
   ) {}
 
   private get entry(): Entry | undefined {
@@ -212,8 +208,8 @@ export class SecondFrame implements ClickTool {
     const going = this.now.value;
     this.now.value = null;
     this.desk.geometry.forgetHeight();
-    this.change(
-      entry,
+    this.revise(
+      entry.key,
       // a further frame is clicked on its own: what was followed goes
       { more, follow: undefined },
       say("measure-step-frame", { nth: more.length + 1 }),
@@ -258,7 +254,7 @@ export class SecondFrame implements ClickTool {
     const rest = entry ? framesOf(entry.values).filter((one) => one.frame !== frame) : [];
     if (!entry || rest.length === 0) return;
     const gone = { frame: String(frame) };
-    this.change(entry, ofFrames(rest), say("measure-step-frame-removal", gone), null);
+    this.revise(key, ofFrames(rest), say("measure-step-frame-removal", gone), null);
     toast(say("measure-frame-removed", { ...gone, count: rest.length }));
   }
 
@@ -270,16 +266,6 @@ export class SecondFrame implements ClickTool {
     this.desk.dispatch({ type: "select", selection: null });
     this.remove(key, frame);
     return true;
-  }
-
-  private change(entry: Entry, to: Partial<Values>, label: string, preview: Entry["preview"]): void {
-    const { records, history } = this.desk;
-    const { clicks } = this.storing();
-    history.run(this.desk.stepName(label), (changes) => {
-      changes.touch(clicks, entry.key);
-      records.change(entry.key, to, { preview });
-    });
-    void this.storing().rest(entry.key);
   }
 
   /** Of those on fewest frames that go with the selected measurement, or the last: the selected one, else the first. */

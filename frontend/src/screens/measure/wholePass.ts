@@ -11,20 +11,14 @@ import { askFollow } from "../../viewer/geometry";
 import type { ImagePoint } from "../../viewer/points";
 import type { Values } from "../../viewer/values";
 import type { Desk } from "./desk";
-import type { ClickLedger } from "./ledgers";
 import type { Entry } from "./records";
+import type { Revise, SecondFrame } from "./secondFrame";
 
 export interface Followed {
   readonly key: string;
   /** What was followed from: other points are another pass. */
   readonly values: Values;
   readonly answer: FollowedAnswer;
-}
-
-interface Storing {
-  readonly clicks: ClickLedger;
-  rest(key: string): Promise<void>;
-  last(): string | null;
 }
 
 const APART_PX = 20;
@@ -55,7 +49,8 @@ export class WholePass {
 
   constructor(
     private readonly desk: Desk,
-    private readonly storing: () => Storing,
+    private readonly beside: SecondFrame,
+    private readonly revise: Revise,
   ) {}
 
   async start(key = this.meant()): Promise<void> {
@@ -85,13 +80,8 @@ export class WholePass {
     const now = this.now.value;
     const entry = now && this.desk.records.find(now.key);
     if (!now || !entry || now.answer.height?.status !== "ok") return;
-    const { clicks, rest } = this.storing();
-    this.desk.history.run(this.desk.stepName(say("measure-step-pass")), (changes) => {
-      changes.touch(clicks, entry.key);
-      const change = { follow: { second: this.second(entry) }, more: [] };
-      this.desk.records.change(entry.key, change, { preview: now.answer.height });
-    });
-    void rest(entry.key);
+    const change = { follow: { second: this.second(entry) }, more: [] };
+    this.revise(entry.key, change, say("measure-step-pass"), now.answer.height);
     this.forget();
   }
 
@@ -123,7 +113,7 @@ export class WholePass {
   private meant(): string | null {
     const { flow, entries } = this.desk;
     const standing = entries.value.filter((entry) => !entry.values.withdrawn);
-    const selected = flow.value.selection?.key ?? this.storing().last();
+    const selected = flow.value.selection?.key ?? this.beside.last;
     return (standing.find((entry) => entry.key === selected) ?? standing.at(-1))?.key ?? null;
   }
 }

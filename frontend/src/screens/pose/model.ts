@@ -2,7 +2,7 @@
 import { batch, computed, effect, signal } from "@preact/signals";
 import { asked, query } from "../../core/address";
 import { api, explain } from "../../core/api";
-import { cancelJob, followJob } from "../../core/jobs";
+import { cancelJob, followInto } from "../../core/jobs";
 import { Latest } from "../../core/latest";
 import { say, sentenceOf } from "../../core/messages";
 import { canWork } from "../../core/session";
@@ -225,15 +225,7 @@ export class PoseModel {
         { recording_id: recording.id },
         { body },
       );
-      this.job.value = job;
-      const over = await followJob(
-        job.id,
-        (now) => {
-          this.job.value = now;
-        },
-        this.stopJob.signal,
-      );
-      await this.finished(over, recording.id);
+      await this.finished(await followInto(this.job, job, this.stopJob.signal), recording.id);
     } catch (error) {
       if (this.stopJob.signal.aborted) return;
       this.job.value = null;

@@ -6,7 +6,7 @@ import { useAsked } from "../../core/resource";
 import { telling, toast, toastProblem } from "../../core/toasts";
 import type { CalibrationFigures, RigCalibrationShown, Scan } from "../../core/types";
 import { formatCount, formatHeight } from "../../core/units";
-import { OF_CALIBRATION, type RigChange, type RigName, rigValues } from "./rig";
+import { CALIBRATED, OF_CALIBRATION, type RigChange, type RigName, rigValues } from "./rig";
 
 /** Where the vehicles drive: without it their baseline would be the one at the cameras. */
 export type Lane = { distance_m: number; u_distance_m: number };
@@ -68,13 +68,7 @@ export function RigHistory({ scan, put, onClose, lane }: Props) {
 }
 
 function calibrated(from: CalibrationFigures): RigChange {
-  return {
-    baseline_m: from.baseline_m,
-    u_baseline_m: from.u_baseline_m,
-    divergence_rad: from.divergence_rad,
-    u_divergence_rad: from.u_divergence_rad,
-    baseline_correlation: from.baseline_correlation,
-  };
+  return Object.fromEntries(CALIBRATED.map((name) => [name, from[name]]));
 }
 
 /** Says that values of a rig are stored; with `put`, one press puts those before back in force. */

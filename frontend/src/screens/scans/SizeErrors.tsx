@@ -14,6 +14,7 @@ export function SizeErrors({ found }: { found: ScanStatistics }) {
     <Panel says="motion-errors-title" note={say("motion-errors-note")}>
       <DataTable
         label={say("motion-errors-table")}
+        class="table--dense"
         data-testid="scan-errors"
         rows={[...told(LENGTHS, found.length_errors), ...told(WHEELBASES, found.wheelbase_errors)]}
         keyOf={(_, index) => index}

@@ -194,10 +194,11 @@ export function valuesOf(typed: RigTyped, lanes = false): RigValues | RigProblem
   return Object.keys(wrong).length > 0 ? wrong : values;
 }
 
-/** What a calibration gives; the correlation is that of these values' errors. */
-const CALIBRATED = ["baseline_m", "u_baseline_m", "divergence_rad", "u_divergence_rad"] as const;
+const CORRELATED = ["baseline_m", "u_baseline_m", "divergence_rad", "u_divergence_rad"] as const;
+/** What a calibration gives; the correlation is that of the values' errors. */
+export const CALIBRATED = [...CORRELATED, "baseline_correlation"] as const;
 /** All that is stored with a calibration: where the vehicles drive, too. */
-export const OF_CALIBRATION = [...CALIBRATED, "baseline_correlation", "distance_m", "u_distance_m"] as const;
+export const OF_CALIBRATION = [...CALIBRATED, "distance_m", "u_distance_m"] as const;
 const CALIBRATED_TYPED = ["baseline", "uBaseline", "divergence", "uDivergence"] as const;
 
 /** Who types another baseline or divergence says nothing of how their errors go together. */
@@ -207,7 +208,7 @@ export function withoutCorrelation(part: Partial<RigTyped>): Partial<RigTyped> {
 
 /** What is sent of a change: the correlation goes along with the values that it is of. */
 export function sentOf(values: RigValues, moved: readonly (keyof RigValues)[]): Partial<RigValues> {
-  const along = moved.some((name) => (CALIBRATED as readonly string[]).includes(name));
+  const along = moved.some((name) => (CORRELATED as readonly string[]).includes(name));
   const names = new Set([...moved, ...(along ? (["baseline_correlation"] as const) : [])]);
   return Object.fromEntries([...names].map((name) => [name, values[name]]));
 }

@@ -1,7 +1,7 @@
 /** The search for the vehicles of a line scan, which runs on the server. */
 import { signal } from "@preact/signals";
 import { api } from "../../core/api";
-import { followJob, jobProblem } from "../../core/jobs";
+import { followInto, jobProblem } from "../../core/jobs";
 import { say } from "../../core/messages";
 import { toastProblem } from "../../core/toasts";
 import type { Job, ScanMethod } from "../../core/types";
@@ -31,15 +31,8 @@ export class Search {
   }
 
   async follow(job: Job): Promise<void> {
-    this.job.value = job;
     try {
-      const ended = await followJob(
-        job.id,
-        (now) => {
-          this.job.value = now;
-        },
-        this.stop,
-      );
+      const ended = await followInto(this.job, job, this.stop);
       this.job.value = null;
       if (ended.state === "failed") toastProblem(jobProblem(ended, say("scan-search-stopped")));
       await this.over();

@@ -10,10 +10,7 @@ import { CATEGORY_WORDS, CLASS_SET_WORDS } from "../../core/words";
 type Eu = VehicleClass["eu"][number];
 const EU: readonly Eu[] = ["L", "M1", "M2", "M3", "N1", "N2", "N3", "O1", "O2", "O3", "O4", "T"];
 
-interface Typed extends Pick<VehicleClass, "category" | "class_set"> {
-  eu: string;
-  fhwa: string;
-}
+type Typed = ReturnType<typeof typed>;
 
 export function ClassesDialog({ survey, close }: { survey: Survey; close: () => void }) {
   const [rows, setRows] = useState<Typed[]>(() => survey.classes.map(typed));
@@ -69,7 +66,7 @@ function ClassRow({ row, change }: { row: Typed; change(part: Partial<Typed>): v
   );
 }
 
-function typed({ category, class_set, eu, fhwa }: VehicleClass): Typed {
+function typed({ category, class_set, eu, fhwa }: VehicleClass) {
   return { category, class_set, eu: eu.join(" "), fhwa: fhwa.join(" ") };
 }
 
