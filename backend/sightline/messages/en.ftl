@@ -4576,6 +4576,12 @@ export-of-lighting = Lighting
 export-of-filmed-from = filmed from { $day }
 export-of-filmed-to = filmed up to { $day }
 export-of-hours = filmed between { $begins } and { $ends }
+export-of-nights = { $days ->
+    [one] filmed in the night that begins on { $first }, { $begins } to { $ends }
+    [since] filmed in the nights that begin on { $first } or later, { $begins } to { $ends }
+    [until] filmed in the nights that begin on { $last } or earlier, { $begins } to { $ends }
+   *[several] filmed in the nights that begin on { $first } to { $last }, { $begins } to { $ends }
+}
 export-of-help = Statistics, figures and report cover these vehicles only, as the first page of the report states; the traffic of line scans is limited by days and hours alone, since flow and headways are of all vehicles. The tables are complete, so that the audit trail covers them; exclusions.csv lists what is excluded.
 export-of = Vehicles
 export-of-all = all vehicles
@@ -7528,6 +7534,12 @@ report-excluded-as-out_of_sample = outside the sample
 report-filmed-since = filmed from { $day }
 report-filmed-until = filmed up to { $day }
 report-filmed-hours = filmed between { $begins } and { $ends }
+report-filmed-nights = { $days ->
+    [one] filmed in the night that begins on { $first }, { $begins } to { $ends }
+    [since] filmed in the nights that begin on { $first } or later, { $begins } to { $ends }
+    [until] filmed in the nights that begin on { $last } or earlier, { $begins } to { $ends }
+   *[several] filmed in the nights that begin on { $first } to { $last }, { $begins } to { $ends }
+}
 report-lacking = { $mark } replaces characters of a script that this report’s fonts lack; the CSV files contain them.
 report-check-title = How to check this report
 report-median = Median
