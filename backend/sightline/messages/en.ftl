@@ -4408,6 +4408,7 @@ audit-whole = { $count ->
 }
 audit-event-missing = Audit event { $number } of { $chain } is missing; restore a backup.
 audit-event-changed = Audit event { $number } of { $chain } was changed after it was written; restore a backup.
+audit-event-incomplete = Audit event { $number } of { $chain } lacks what such an event holds; restore a backup.
 audit-chain-ends-elsewhere = The audit chain of { $chain } ends at event { $number }, which is not where it ended; restore a backup.
 audit-chains-not-signed = The audit chains are not those signed on { $at }; restore a backup.
 audit-no-checkpoint = This is no checkpoint, or its signature does not hold; give the file that `sightline checkpoint` wrote, or the checkpoint.json of a package.

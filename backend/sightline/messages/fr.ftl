@@ -4404,6 +4404,7 @@ audit-whole = { $count ->
 }
 audit-event-missing = L’événement d’audit { $number } de { $chain } manque ; restaurez une sauvegarde.
 audit-event-changed = L’événement d’audit { $number } de { $chain } a été modifié après son écriture ; restaurez une sauvegarde.
+audit-event-incomplete = L’événement d’audit { $number } de { $chain } n’a pas ce qu’un tel événement contient ; restaurez une sauvegarde.
 audit-chain-ends-elsewhere = La chaîne d’audit de { $chain } se termine à l’événement { $number }, ce qui n’est pas sa vraie fin ; restaurez une sauvegarde.
 audit-chains-not-signed = Les chaînes d’audit ne sont pas celles signées le { $at } ; restaurez une sauvegarde.
 audit-no-checkpoint = Ce n’est pas un point de contrôle, ou sa signature n’est pas valable ; indiquez le fichier écrit par `sightline checkpoint`, ou le checkpoint.json d’une archive.
