@@ -330,6 +330,38 @@ def test_a_folder_is_read_file_by_file(tmp_path: Path, capsys: pytest.CaptureFix
     assert len(said["vehicles"]) == 10 and any("notes.json" in note for note in said["notes"])
 
 
+def test_recordings_of_the_same_time_are_said_to_count_a_vehicle_in_each(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Two files of one road and time held its vehicles twice, and nothing said so."""
+
+    def shifted(name: str, by_s: float, **changed: str) -> Path:
+        path = as_json(tmp_path / name, 680.0, u_start_s=0.1)
+        told = json.loads(path.read_text())
+        told["start"] = (LINE_0 + timedelta(seconds=by_s)).isoformat()
+        told["vehicles"] = [one | changed for one in told["vehicles"]]
+        path.write_text(json.dumps(told))
+        return path
+
+    def notes(*places: Path) -> list[str]:
+        found: list[str] = json.loads(flow(capsys, *places, "--json"))["notes"]
+        return [note for note in found if "overlap" in note]
+
+    first, next_one = shifted("a.json", 0.0), shifted("b.json", 679.0)
+    assert notes(first, next_one) == []  # 1 s, which a start told by a person leaves open
+    half = shifted("half.json", 340.0)
+    said = "a.json and half.json overlap for 340 s: a vehicle that both hold counts in each."
+    assert notes(half, first) == [said]
+    assert said in flow(capsys, first, half, "-o", tmp_path / "out.csv")
+    assert notes(first, shifted("back.json", 340.0, direction="camera_2_first")) == []
+    near, far = (shifted(f"{lane}.json", 340.0, lane=lane) for lane in ("near", "far"))
+    assert notes(near, far) == [] and len(notes(first, near)) == 1
+    bare = written(tmp_path / "vehicles.csv", ROWS)  # from its first front, 8 s after line 0, to its last
+    assert notes(first, bare) == [
+        "a.json and vehicles.csv overlap for 662 s: a vehicle that both hold counts in each."
+    ]
+
+
 def test_an_archive_agrees_with_its_own_figures(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Two computations that share no code: DuckDB's over Parquet, and this."""
     zone = "Europe/Paris"

@@ -102,6 +102,14 @@ def test_what_a_pose_lets_expect_is_without_an_insets_part() -> None:
     assert lines and all(line.endswith("(95 %) without the inset's part") for line in lines)
 
 
+def test_what_is_expected_below_1_cm_has_a_decimal() -> None:
+    """A U95 of 0.4 mm was "± 0 mm"."""
+    said = [
+        line.partition(": ")[2].partition(" (")[0] for line in expected_lines([(3.0, 0.0002), (9.0, 0.0064)])
+    ]
+    assert said == ["± 0.4 mm", "± 13 mm"]
+
+
 def test_not_measurable_is_an_answer(pose_file, capsys) -> None:
     assert run("height", "--pose", pose_file, "--contact", "320,5", "--target", "320,2", "--json") == 0
     answer = json.loads(capsys.readouterr().out)

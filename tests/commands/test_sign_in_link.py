@@ -49,6 +49,19 @@ def test_the_link_works_once_ends_older_ones_and_is_audited(
                 use_sign_in_link(session, used)
 
 
+def test_without_an_address_it_says_what_is_to_stand_before_the_link(
+    accounts: Engine, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A path alone looked like a whole link that leads nowhere."""
+    monkeypatch.delenv("SIGHTLINE_ADDRESS", raising=False)
+    assert main(["sign-in-link", "ada@example.org"]) == 0
+    said = capsys.readouterr().out
+    assert said.startswith(
+        "Put the address of your Sightline before this, and open it, once: /sign-in?token="
+    )
+    assert said.count("\n") == 1
+
+
 @pytest.mark.parametrize("email", ["nobody@example.org", "bo@example.org"])
 def test_nobody_else_gets_one(accounts: Engine, email: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["sign-in-link", email]) == 2

@@ -5,6 +5,7 @@ import json
 import re
 import zipfile
 from collections.abc import Callable
+from datetime import date
 from pathlib import Path
 
 import pytest
@@ -14,11 +15,14 @@ from sightline.cli import main
 from sightline.export import page
 from sightline.export.measured import statistics_of
 from sightline.export.report.package_facts import report_facts
+from sightline.export.report.said import speaking
+from sightline.export.report.words import selection_words
 from sightline.export.verify.package import verify_package
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from sightline.recordings.ingest_job import correct_durations
+from sightline.results.selection import Selection
 from tests.export.report.pdf_text import words
 from tests.media.clips import QVGA, TICKS, Spec, write
 from tests.support.app import Client, add_recording, error_of
@@ -347,3 +351,22 @@ def test_a_pause_in_a_recording_is_in_every_time(
     edit(place, "vehicles.csv", lambda row: row["first_frame"] == "9", first_s="3009.0", in_sample="true")
     reseal(place)
     assert "does not fit the frames around it" in str(verify_package(FolderFiles(place)).problem)
+
+
+def test_hours_past_midnight_are_said_to_be_of_the_night_that_begins() -> None:
+    """It said "filmed up to 2026-05-04", and the night that begins then ends on the 5th at 06:00."""
+    first, last = date(2026, 5, 1), date(2026, 5, 4)
+    said = {
+        (first, last): "filmed in the nights that begin on 2026-05-01 to 2026-05-04, 22:00 to 06:00",
+        (last, last): "filmed in the night that begins on 2026-05-04, 22:00 to 06:00",
+        (first, None): "filmed in the nights that begin on 2026-05-01 or later, 22:00 to 06:00",
+        (None, last): "filmed in the nights that begin on 2026-05-04 or earlier, 22:00 to 06:00",
+        (None, None): "filmed between 22:00 and 06:00",  # any night: packages before said so, and it was true
+    }
+    assert {days: selection_words(Selection(*days, 22, 6)) for days in said} == said
+    evening = Selection(None, last, 22, None)
+    assert selection_words(evening) == "filmed up to 2026-05-04; filmed between 22:00 and 24:00"
+    with speaking("fr"):
+        assert selection_words(Selection(first, last, 22, 6)) == (
+            "filmé dans les nuits qui commencent du 01/05/2026 au 04/05/2026, de 22:00 à 06:00"
+        )

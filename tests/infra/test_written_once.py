@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Callable
+from contextlib import suppress
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -354,6 +355,37 @@ def test_verify_finds(filled: SessionFactory, what: str) -> None:
     problem = str(found.problem)
     assert words in problem, problem
     assert problem.count(".") <= 2 and problem.endswith(".")
+
+
+def test_an_event_that_lacks_what_its_kind_holds_is_a_problem_like_others(
+    filled: SessionFactory, database_url: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A KeyError ended all of `verify`: what else is broken, and the other places, were not told."""
+    lacking: list[tuple[Any, Any, dict[str, Any]]] = [
+        ("order", "photograph", {"order": [999]}),
+        ("order", "photograph", {}),
+        ("sign", "checkpoint", {"at": "2026-05-04"}),
+        ("create", "lot", {}),
+    ]
+
+    def add_lacking(session: Session, action: Any, entity: Any, after: dict[str, Any]) -> str:
+        chain = trail.chain_of(entity, 1)
+        trail.record(session, None, action, entity, 1, 1, after=after)
+        number = trail.heads(session)[chain].count
+        return f"Audit event {number} of {chain} lacks what such an event holds; restore a backup."
+
+    for each in lacking:
+        with suppress(InterruptedError), writing(filled) as session:
+            said = add_lacking(session, *each)
+            assert str(verify_records(session).problem) == said, each
+            raise InterruptedError  # it is not kept
+    assert verify_database(database_url).ok
+    with writing(filled) as session:
+        first, _ = (add_lacking(session, *each) for each in lacking[:2])
+    assert str(verify_database(database_url).problem) == first
+    assert main(["verify", database_url, "/nowhere", database_url]) == 1
+    err = capsys.readouterr().err
+    assert err.count(first) == 2 and "/nowhere" in err
 
 
 def test_a_tail_cut_with_its_anchor_moved_is_found_by_an_export(filled: SessionFactory) -> None:

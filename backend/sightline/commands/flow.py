@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,11 +13,19 @@ from sightline.commands.files import csv_text, write_whole
 from sightline.commands.options import FILE, json_option, print_json
 from sightline.commands.scanned import cell_of
 from sightline.errors import BadInput
-from sightline.linescan.traffic import LENGTH_LIMITS_M, MINUTES, class_names, headways_s, strays_s, streams_of
+from sightline.linescan.traffic import (
+    LENGTH_LIMITS_M,
+    MINUTES,
+    Stream,
+    class_names,
+    headways_s,
+    strays_s,
+    streams_of,
+)
 
 if TYPE_CHECKING:
     from sightline.scans.statistics.service import VehicleMotion
-    from sightline.scans.statistics.traffic import ScanTraffic, ShownInterval
+    from sightline.scans.statistics.traffic import ScanTraffic, ShownInterval, Watched
     from sightline.traffic.results import Results
 
 _FILE = click.Path(dir_okay=False, path_type=Path)
@@ -48,15 +57,18 @@ def flow(
     """
     minutes = _minutes(lengths)
     rows, vehicles, notes = list[dict[str, Any]](), list[dict[str, Any]](), list[str]()
+    watched = list[Seen]()
     for place in places:
-        traffic, passed, said = _of_place(place, minutes)
+        traffic, passed, said, seen = _of_place(place, minutes)
         rows += [row for one in traffic for row in _rows_of_intervals(one)]
         vehicles += passed
+        watched += seen
         notes += said + [
             f"{one.name}: {one.unplaced} vehicles were never measured and are in no interval."
             for one in traffic
             if one.minutes == minutes[0] and one.unplaced
         ]
+    notes += _notes_of_shared_times(watched)
     if vehicles_csv is not None:
         write_whole(vehicles_csv, csv_text(VEHICLE_COLUMNS, vehicles, cell_of))
     table = csv_text(COLUMNS, rows, cell_of)
@@ -84,10 +96,22 @@ def _minutes(text: str) -> tuple[int, ...]:
 
 
 Rows = list[dict[str, Any]]
+#: A recording and the streams of its vehicles.
+Seen = tuple["Watched", Collection[Stream]]
 
 
-def _of_place(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], Rows, list[str]]:
-    """The traffic of a place, its vehicles, and what is to be said of it."""
+def _notes_of_shared_times(watched: Sequence[Seen]) -> list[str]:
+    from sightline.scans.statistics.traffic import shared_times
+
+    return [
+        f"{earlier.name} and {later.name} overlap for {shared_s:.0f} s: a vehicle that both hold counts in "
+        "each."
+        for earlier, later, shared_s in shared_times(watched)
+    ]
+
+
+def _of_place(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], Rows, list[str], list[Seen]]:
+    """The traffic of a place, its vehicles, what is to be said of it, and its recordings."""
     from sightline.infra.csv_package.files import places_of
     from sightline.traffic.results import results_in, traffic_of
 
@@ -110,10 +134,11 @@ def _of_place(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], R
         for result in results
         if not result.u_start_told
     ]
-    return traffic, [row for result in results for row in _vehicle_rows(result)], notes
+    seen: list[Seen] = [(result.watched(), streams_of(result.vehicles)) for result in results]
+    return traffic, [row for result in results for row in _vehicle_rows(result)], notes, seen
 
 
-def _of_package(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], Rows, list[str]]:
+def _of_package(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], Rows, list[str], list[Seen]]:
     from sightline.export.scans import scanned_motions
     from sightline.export.traffic import scans_in, traffic_in
     from sightline.infra.csv_package.files import open_package, place_of
@@ -125,13 +150,16 @@ def _of_package(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic],
         raise BadInput("commands-flow-folder-empty", place=place)
     cars, rows, filmed = list(scanned_motions(files)), Rows(), selection_in(files)
     traffic = traffic_in(files, cars, minutes)
+    watched = list[Seen]()
     for scan in scans_in(files):
+        of_scan = [one for one in cars if one.scan_id == scan.scan_id]
+        watched.append((replace(scan, site=str(place)), streams_of(of_scan)))
         if scan.clock is not None:
-            own = tuple(one for one in cars if one.scan_id == scan.scan_id and one.since_s is not None)
+            own = tuple(one for one in of_scan if one.since_s is not None)
             seen = _vehicle_rows(Results(scan.name, scan.clock, scan.watched_s, own))
             rows += [row for row in seen if filmed.holds(row["front_at"])]
     notes = {one.scan_id: f"{one.name}: {one.reason}" for one in traffic if one.reason}
-    return [one for one in traffic if not one.reason], rows, list(notes.values())
+    return [one for one in traffic if not one.reason], rows, list(notes.values()), watched
 
 
 _CLASSES = tuple(f"length_{name.replace(' ', '_')}" for name in class_names(LENGTH_LIMITS_M))

@@ -23,6 +23,7 @@ from sightline.geometry.board import Board
 from sightline.geometry.documents import pose_to_dict
 from sightline.geometry.pose import expected_u, pose_from_corners
 from sightline.geometry.road_pose import DEFAULT_U_BOW_M, DEFAULT_U_HEIGHT_M, DEFAULT_U_LEAN_RAD, Reference
+from sightline.messages import write_small
 
 
 @click.command()
@@ -100,6 +101,6 @@ def expected_lines(expected: Iterable[tuple[float, float | None]]) -> list[str]:
     """What heights of 1.2 m will be worth at some distances, a line each; insets are not the pose's."""
     told = ((distance, u) for distance, u in expected if u is not None)
     return [
-        f"expected at {distance:g} m: ± {1000 * expanded(u):.0f} mm (95 %) without the inset's part"
+        f"expected at {distance:g} m: ± {write_small(expanded(u))} (95 %) without the inset's part"
         for distance, u in told
     ]

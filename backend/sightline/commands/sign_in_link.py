@@ -21,4 +21,7 @@ def sign_in_link(email: str, data_dir: Path | None) -> None:
     with opened_services(data_dir) as services:
         link = new_sign_in_link(services, email)
         address = services.settings.address.rstrip("/")
-    click.echo(f"Open this page of your Sightline, once: {address}{link}")
+    what = "Open this page of your Sightline"
+    if not address:
+        what = "Put the address of your Sightline before this, and open it"
+    click.echo(f"{what}, once: {address}{link}")

@@ -10,7 +10,7 @@ from sightline.commands.files import read_json
 from sightline.commands.options import FILE, json_option, print_json, progress_told
 from sightline.errors import BadInput, Damaged, SightlineError
 from sightline.infra.audit.anchors import Anchors
-from sightline.infra.audit.records import AnchoredVerification, Verification
+from sightline.infra.audit.records import Verification
 from sightline.messages.said import Said
 from sightline.settings import sqlite_url
 
@@ -190,10 +190,8 @@ def check_database(url: str, name: str, anchors: Anchors) -> dict[str, Any]:
 
 def _with_notes(found: Verification) -> dict[str, Any]:
     """What was found, and up to where something kept elsewhere vouches for it."""
-    if not isinstance(found, AnchoredVerification) or found.vouched == found.checked:
-        return asdict(found)
-    note = Said("audit-vouched-events", vouched=found.vouched, count=found.checked)
-    return {**asdict(found), "notes": [str(note)]}
+    notes = [str(note) for note in found.notes()]
+    return asdict(found) | ({"notes": notes} if notes else {})
 
 
 def _describe_check(place: str, checked: dict[str, Any]) -> str:

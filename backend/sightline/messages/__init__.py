@@ -103,6 +103,11 @@ def write_fixed(value: float, digits: int) -> str:
     return f"{Decimal(str(value)).quantize(Decimal(1).scaleb(-digits), ROUND_HALF_UP):f}"
 
 
+def write_small(length_m: float) -> str:
+    """A length in mm as sentences have it: below 1 cm with one decimal."""
+    return _small_length("en")(length_m)
+
+
 def _number(locale: str) -> Callable[..., str]:
     def number(value: Any, **options: Any) -> str:
         """A text stays as it is."""

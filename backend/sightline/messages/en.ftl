@@ -4408,6 +4408,7 @@ audit-whole = { $count ->
 }
 audit-event-missing = Audit event { $number } of { $chain } is missing; restore a backup.
 audit-event-changed = Audit event { $number } of { $chain } was changed after it was written; restore a backup.
+audit-event-incomplete = Audit event { $number } of { $chain } lacks what such an event holds; restore a backup.
 audit-chain-ends-elsewhere = The audit chain of { $chain } ends at event { $number }, which is not where it ended; restore a backup.
 audit-chains-not-signed = The audit chains are not those signed on { $at }; restore a backup.
 audit-no-checkpoint = This is no checkpoint, or its signature does not hold; give the file that `sightline checkpoint` wrote, or the checkpoint.json of a package.
@@ -4576,6 +4577,12 @@ export-of-lighting = Lighting
 export-of-filmed-from = filmed from { $day }
 export-of-filmed-to = filmed up to { $day }
 export-of-hours = filmed between { $begins } and { $ends }
+export-of-nights = { $days ->
+    [one] filmed in the night that begins on { $first }, { $begins } to { $ends }
+    [since] filmed in the nights that begin on { $first } or later, { $begins } to { $ends }
+    [until] filmed in the nights that begin on { $last } or earlier, { $begins } to { $ends }
+   *[several] filmed in the nights that begin on { $first } to { $last }, { $begins } to { $ends }
+}
 export-of-help = Statistics, figures and report cover these vehicles only, as the first page of the report states; the traffic of line scans is limited by days and hours alone, since flow and headways are of all vehicles. The tables are complete, so that the audit trail covers them; exclusions.csv lists what is excluded.
 export-of = Vehicles
 export-of-all = all vehicles
@@ -7532,6 +7539,12 @@ report-excluded-as-out_of_sample = outside the sample
 report-filmed-since = filmed from { $day }
 report-filmed-until = filmed up to { $day }
 report-filmed-hours = filmed between { $begins } and { $ends }
+report-filmed-nights = { $days ->
+    [one] filmed in the night that begins on { $first }, { $begins } to { $ends }
+    [since] filmed in the nights that begin on { $first } or later, { $begins } to { $ends }
+    [until] filmed in the nights that begin on { $last } or earlier, { $begins } to { $ends }
+   *[several] filmed in the nights that begin on { $first } to { $last }, { $begins } to { $ends }
+}
 report-lacking = { $mark } replaces characters of a script that this report’s fonts lack; the CSV files contain them.
 report-check-title = How to check this report
 report-median = Median

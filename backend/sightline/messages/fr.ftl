@@ -4404,6 +4404,7 @@ audit-whole = { $count ->
 }
 audit-event-missing = L’événement d’audit { $number } de { $chain } manque ; restaurez une sauvegarde.
 audit-event-changed = L’événement d’audit { $number } de { $chain } a été modifié après son écriture ; restaurez une sauvegarde.
+audit-event-incomplete = L’événement d’audit { $number } de { $chain } n’a pas ce qu’un tel événement contient ; restaurez une sauvegarde.
 audit-chain-ends-elsewhere = La chaîne d’audit de { $chain } se termine à l’événement { $number }, ce qui n’est pas sa vraie fin ; restaurez une sauvegarde.
 audit-chains-not-signed = Les chaînes d’audit ne sont pas celles signées le { $at } ; restaurez une sauvegarde.
 audit-no-checkpoint = Ce n’est pas un point de contrôle, ou sa signature n’est pas valable ; indiquez le fichier écrit par `sightline checkpoint`, ou le checkpoint.json d’une archive.
@@ -4572,6 +4573,12 @@ export-of-lighting = Luminosité
 export-of-filmed-from = filmés à partir du { $day }
 export-of-filmed-to = filmés jusqu’au { $day }
 export-of-hours = filmés entre { $begins } et { $ends }
+export-of-nights = { $days ->
+    [one] filmés dans la nuit qui commence le { $first }, de { $begins } à { $ends }
+    [since] filmés dans les nuits qui commencent à partir du { $first }, de { $begins } à { $ends }
+    [until] filmés dans les nuits qui commencent jusqu’au { $last }, de { $begins } à { $ends }
+   *[several] filmés dans les nuits qui commencent du { $first } au { $last }, de { $begins } à { $ends }
+}
 export-of-help = Les statistiques, les figures et le rapport ne portent que sur ces véhicules, comme l’indique la première page du rapport ; le trafic des balayages n’est limité que par les jours et les heures, car le débit et les temps intervéhiculaires comprennent tous les véhicules. Les tableaux sont complets, pour que le journal d’audit les couvre ; exclusions.csv nomme ce qui est exclu.
 export-of = Véhicules
 export-of-all = tous les véhicules
@@ -7590,6 +7597,12 @@ report-excluded-as-out_of_sample = hors échantillon
 report-filmed-since = filmé à partir du { $day }
 report-filmed-until = filmé jusqu’au { $day }
 report-filmed-hours = filmé entre { $begins } et { $ends }
+report-filmed-nights = { $days ->
+    [one] filmé dans la nuit qui commence le { $first }, de { $begins } à { $ends }
+    [since] filmé dans les nuits qui commencent à partir du { $first }, de { $begins } à { $ends }
+    [until] filmé dans les nuits qui commencent jusqu’au { $last }, de { $begins } à { $ends }
+   *[several] filmé dans les nuits qui commencent du { $first } au { $last }, de { $begins } à { $ends }
+}
 report-lacking = { $mark } remplace les caractères d’une écriture que les polices de ce rapport n’ont pas ; les fichiers CSV les contiennent.
 report-check-title = Comment contrôler ce rapport
 report-median = Médiane

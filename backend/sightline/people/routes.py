@@ -1,39 +1,15 @@
 """Accounts, for admins."""
 
-from typing import Annotated
-
 from fastapi import APIRouter, Request
-from pydantic import Field
 
-from sightline.enums import Role
-from sightline.infra.web.bodies import In, Name, Out
 from sightline.infra.web.deps import Admin, PathId, Reading, Wired
 from sightline.infra.web.idempotency import TOLD_ONCE
 from sightline.infra.web.person import PersonFacts
 from sightline.people import store
+from sightline.people.bodies import Invited, Link, NewPerson, PersonChange
 from sightline.people.service import link_path
 
 router = APIRouter()
-
-
-class NewPerson(In):
-    name: Name
-    email: Annotated[str, Field(min_length=3, max_length=320)]
-    role: Role
-
-
-class PersonChange(In):
-    name: Name
-    role: Role
-    active: bool
-
-
-class Link(Out):
-    link: str = Field(description="Path of the one-time sign-in page, valid 7 days; shown only now.")
-
-
-class Invited(Link):
-    person: PersonFacts
 
 
 @router.get("/people")

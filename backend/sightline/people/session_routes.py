@@ -1,53 +1,19 @@
 """Signing in and out, and who am I."""
 
 from collections.abc import Callable
-from typing import Annotated
 
 from fastapi import APIRouter, Request, Response
-from pydantic import Field
 
 from sightline.infra.database import Session
 from sightline.infra.services import Services
 from sightline.infra.version import code_version
-from sightline.infra.web.bodies import In, Name, Out, example
 from sightline.infra.web.cookie import SignIn
 from sightline.infra.web.deps import OPEN, InPerson, Viewer, Wired, address_of
-from sightline.infra.web.person import Person, PersonFacts
+from sightline.infra.web.person import Person
 from sightline.people import service, store
+from sightline.people.bodies import Credentials, LinkToken, Me, NewPassword, OwnName
 
 router = APIRouter()
-
-Secret = Annotated[str, Field(max_length=1000)]
-
-
-class Credentials(In):
-    model_config = example(email="ada@example.org", password="a few words in a row")
-
-    email: Annotated[str, Field(max_length=320)]
-    password: Secret
-
-
-class LinkToken(In):
-    token: Secret
-
-
-class NewPassword(In):
-    current: Secret | None = None
-    new: Annotated[str, Field(min_length=service.MIN_PASSWORD, max_length=service.MAX_PASSWORD)]
-
-
-class Me(Out):
-    person: PersonFacts
-    version: str
-    needs_password: bool = Field(
-        description="No password yet, or here by a one-time link: the current one is not asked."
-    )
-    needs_name: bool = Field(description="The first administrator, who was not asked for a name yet.")
-    demo_survey_id: int | None
-
-
-class OwnName(In):
-    name: Name
 
 
 @router.post("/session", dependencies=[OPEN])

@@ -1,32 +1,15 @@
 """Tokens of one's own, for programs; only a person who signed in can make, see and revoke them."""
 
-from typing import Annotated
-
 from fastapi import APIRouter, Request
-from pydantic import Field
 
-from sightline.enums import Scope
 from sightline.infra.web.bearer import ApiTokenFacts
-from sightline.infra.web.bodies import In, Name, Out, example
 from sightline.infra.web.deps import InPerson, PathId, Reading, Wired
 from sightline.infra.web.idempotency import TOLD_ONCE
 from sightline.people import token_store
+from sightline.people.bodies import MadeToken, NewToken
 from sightline.people.store import get_person_still
 
 router = APIRouter()
-
-
-class NewToken(In):
-    model_config = example(name="Import on the lab machine", scopes=["read", "upload"], days=90)
-
-    name: Name
-    scopes: Annotated[tuple[Scope, ...], Field(min_length=1, max_length=10)]
-    days: Annotated[int, Field(ge=1, le=token_store.MOST_DAYS, description="Until it ends.")] = 90
-
-
-class MadeToken(Out):
-    token: ApiTokenFacts
-    text: str = Field(description="Sent as `Authorization: Bearer TEXT`; shown only now.")
 
 
 @router.get("/session/tokens")

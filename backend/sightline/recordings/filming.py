@@ -67,6 +67,11 @@ class FilmedWithin:
         """Whether what has no time of filming is left out."""
         return any(getattr(self, one) is not None for one in FILMED)
 
+    @property
+    def hours(self) -> tuple[int, int]:
+        """From which full hour, up to which; the whole day where nothing limits it."""
+        return self.hour_from or 0, _DAY_H if self.hour_to is None else self.hour_to
+
     def require_sense(self) -> None:
         """Raise BadInput where nothing could be of it."""
         if self.filmed_from and self.filmed_to and self.filmed_to < self.filmed_from:
@@ -80,7 +85,7 @@ class FilmedWithin:
         if not self.limits_time:
             return keep
         day, hour = np.divmod(hours, _DAY_H)
-        begins, ends = self.hour_from or 0, _DAY_H if self.hour_to is None else self.hour_to
+        begins, ends = self.hours
         after, before = hour >= begins, hour < ends
         if begins > ends:
             day -= before

@@ -71,6 +71,12 @@ class Results:
     site: str = ""
     u_start_told: bool = True
 
+    def watched(self) -> Watched:
+        """How long it was watched for sure: up to its last vehicle where it is not said how long."""
+        known_s = max((one.since_s or 0.0 for one in self.vehicles), default=None)
+        watched_s = known_s if self.watched_s is None else self.watched_s
+        return Watched(0, self.name, self.clock, watched_s, site=self.site)
+
     def seen(self, number: int, minutes: int) -> tuple[Watched, list[VehicleMotion]]:
         """What was watched for intervals of `minutes`, as the recording of that number, and its vehicles."""
         if self.watched_s is not None:

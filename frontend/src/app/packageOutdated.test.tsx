@@ -99,6 +99,25 @@ it("each package of the list says what it lacks itself", async () => {
   expect(rows?.[1]?.querySelector('[data-testid="package-outdated"]')).not.toBeNull();
 });
 
+it.each([
+  ["2026-05-01", "2026-05-04", "filmed in the nights that begin on 2026-05-01 to 2026-05-04, 22:00 to 06:00"],
+  ["2026-05-04", "2026-05-04", "filmed in the night that begins on 2026-05-04, 22:00 to 06:00"],
+  ["2026-05-01", null, "filmed in the nights that begin on 2026-05-01 or later, 22:00 to 06:00"],
+  [null, "2026-05-04", "filmed in the nights that begin on 2026-05-04 or earlier, 22:00 to 06:00"],
+  [null, null, "filmed between 22:00 and 06:00"],
+])("nights from %s to %s are said to be of the day on which they begin", async (from, to, words) => {
+  const night = {
+    ...entry(1, NOTHING).selection,
+    filmed_from: from,
+    filmed_to: to,
+    hour_from: 22,
+    hour_to: 6,
+  };
+  server.on("GET", /\/exports$/, () => [{ ...entry(1, NOTHING), selection: night }]);
+  render(<ExportScreen surveyId={5} />, box);
+  await vi.waitFor(() => expect(box.querySelectorAll("tbody td")[1]?.textContent).toBe(words));
+});
+
 it("the list is read again once heights were computed on the page", async () => {
   let since = NOTHING;
   server.on("GET", /\/exports$/, () => [entry(1, since)]);

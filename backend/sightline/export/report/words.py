@@ -5,6 +5,7 @@ from datetime import date
 from functools import reduce
 
 from sightline.export.report.said import Called, day_parts, sentence_of_key
+from sightline.recordings.filming import FilmedWithin
 from sightline.results.selection import Selection
 
 TARGETS = Called("report-target-")
@@ -47,9 +48,21 @@ def selection_words(selection: Selection) -> str | None:
         *(CATEGORIES[one] for one in selection.categories),
     ]
     lighting = [] if selection.lighting is None else [LIGHTING[selection.lighting]]
-    days = (("report-filmed-since", selection.filmed_from), ("report-filmed-until", selection.filmed_to))
-    filmed = [sentence_of_key(key, day=date_words(day)) for key, day in days if day is not None]
-    if selection.hour_from is not None or selection.hour_to is not None:
-        begins, ends = (f"{hour:02d}:00" for hour in (selection.hour_from or 0, selection.hour_to or 24))
-        filmed.append(sentence_of_key("report-filmed-hours", begins=begins, ends=ends))
-    return join_with_semicolons([*lighting, *([", ".join(classes)] if classes else []), *filmed])
+    return join_with_semicolons(
+        [*lighting, *([", ".join(classes)] if classes else []), *_filmed_words(selection)]
+    )
+
+
+def _filmed_words(filmed: FilmedWithin) -> list[str]:
+    """On which days and at which hours."""
+    first, last = (day and date_words(day) for day in (filmed.filmed_from, filmed.filmed_to))
+    begins, ends = (f"{hour:02d}:00" for hour in filmed.hours)
+    if (first or last) and filmed.hours[0] > filmed.hours[1]:
+        days = ("one" if first == last else "several") if first and last else "since" if first else "until"
+        said = {"days": days, "first": first or "", "last": last or "", "begins": begins, "ends": ends}
+        return [sentence_of_key("report-filmed-nights", **said)]
+    days_said = (("report-filmed-since", first), ("report-filmed-until", last))
+    words = [sentence_of_key(key, day=day) for key, day in days_said if day]
+    if filmed.hour_from is not None or filmed.hour_to is not None:
+        words.append(sentence_of_key("report-filmed-hours", begins=begins, ends=ends))
+    return words

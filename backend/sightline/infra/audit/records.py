@@ -63,12 +63,21 @@ class Verification:
     head_hash: str
     problem: Said | None
 
+    def notes(self) -> list[Said]:
+        """What is to be said of how far it holds."""
+        return []
+
 
 @dataclass(frozen=True, slots=True)
 class AnchoredVerification(Verification):
     """`vouched`: how many of the events what was kept elsewhere vouches for."""
 
     vouched: int
+
+    def notes(self) -> list[Said]:
+        if self.vouched == self.checked:
+            return []
+        return [Said("audit-vouched-events", vouched=self.vouched, count=self.checked)]
 
 
 @dataclass(frozen=True, slots=True)

@@ -95,14 +95,15 @@ def _holds_a_chain(engine: Engine) -> bool:
 class _Walk:
     """The state of a walk along the chains: what was checked and what the events promise.
 
-    `hashes`: of every event by chain, that of none first.
+    `hashes`: of every event by chain, that of none first; `checkpoints`: the ends that each signed, and what
+    its event holds.
     """
 
     def __init__(self) -> None:
         self.checked = 0
         self.head = root_of({})
         self.hashes: dict[str, list[str]] = {}
-        self.checkpoints: list[dict[str, Any]] = []
+        self.checkpoints: list[tuple[dict[str, AuditHead], dict[str, Any]]] = []
         self.promised: Promises = defaultdict(dict)
         self.fingerprints = fingerprints()
         self.marked = marked_tables()
@@ -120,16 +121,11 @@ class _Walk:
                 raise _Problem("audit-event-changed", number=row["number"], chain=row["chain"])
             self.checked += 1
             hashes.append(row["hash"])
-            event = Event(
-                row["entity"],
-                row["action"],
-                row["entity_id"],
-                row["survey_id"],
-                trail.object_of(row["after"]) or {},
-            )
-            self._note(event)
-            if (event.entity, event.action) == (CHECKPOINT, SIGN):
-                self.checkpoints.append(dict(event.after))
+            try:
+                after = trail.object_of(row["after"]) or {}
+                self._note(Event(row["entity"], row["action"], row["entity_id"], row["survey_id"], after))
+            except (KeyError, TypeError, ValueError, AttributeError):
+                raise _Problem("audit-event-incomplete", number=row["number"], chain=row["chain"]) from None
         self.head = root_of(self.ends())
 
     def ends(self) -> dict[str, AuditHead]:
@@ -145,6 +141,9 @@ class _Walk:
             fingerprint.promise(event, self.promised[fingerprint.entity])
         if event.entity in self.replayed:
             self._replay(event, self.replayed[event.entity])
+        if (event.entity, event.action) == (CHECKPOINT, SIGN):
+            ends = {name: AuditHead(count, hash_) for name, count, hash_ in event.after["ends"]}
+            self.checkpoints.append((ends, dict(event.after)))
 
     @staticmethod
     def _replay(event: Event, records: dict[int, dict[str, Any]]) -> None:
@@ -178,13 +177,12 @@ def _chain_passed_through(walk: _Walk, chain: str, count: int, hash_: str) -> bo
 
 def _checkpoints(walk: _Walk) -> None:
     """Every checkpoint is signed, and each chain still goes through the end that was signed."""
-    for checkpoint in walk.checkpoints:
-        ends = {name: AuditHead(count, hash_) for name, count, hash_ in checkpoint["ends"]}
-        signed = root_of(ends) == checkpoint["root"] and is_signed(checkpoint)
+    for ends, checkpoint in walk.checkpoints:
+        signed = root_of(ends) == checkpoint.get("root") and is_signed(checkpoint)
         if not signed or not all(
             _chain_passed_through(walk, name, end.count, end.hash) for name, end in ends.items()
         ):
-            raise _Problem("audit-chains-not-signed", at=checkpoint["at"])
+            raise _Problem("audit-chains-not-signed", at=checkpoint.get("at", ""))
 
 
 def _check_rows(session: Session, walk: _Walk) -> None:

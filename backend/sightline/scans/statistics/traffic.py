@@ -1,6 +1,6 @@
 """Traffic of line scans by intervals, from the database or from a package: pure of where they are."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import partial
@@ -187,6 +187,34 @@ def _stood_before(
         }
         stood += [(site, end_s, one) for one in stand]
     return found
+
+
+def shared_times(
+    seen: Sequence[tuple[Watched, Collection[Stream]]],
+) -> Iterator[tuple[Watched, Watched, float]]:
+    """Recordings of one site that saw one stream at the same time, by more than starts told by people leave
+    open: the earlier one, of several the one that shares most; the later one; the seconds that both watched.
+    A vehicle of that time is in both, and counts in each.
+    """
+    spans = [(span, at) for at, (one, _) in enumerate(seen) if (span := one.span_s) is not None]
+    before = list[tuple[float, int]]()
+    for (begin_s, end_s), at in sorted(spans):
+        before = [one for one in before if one[0] - begin_s > _SHARED_S]
+        later, streams = seen[at]
+        shared = [
+            (min(until_s, end_s) - begin_s, other)
+            for until_s, other in before
+            if seen[other][0].site == later.site and _is_shared(seen[other][1], streams)
+        ]
+        shared_s, earlier = max(shared, key=lambda each: each[0], default=(0.0, at))
+        if shared_s > _SHARED_S:
+            yield seen[earlier][0], later, shared_s
+        before.append((end_s, at))
+
+
+def _is_shared(first: Collection[Stream], second: Collection[Stream]) -> bool:
+    """Whether a vehicle may be of a stream of each; of unknown lane it may be of any."""
+    return any(a[0] == b[0] and (a[1] == b[1] or None in (a[1], b[1])) for a in first for b in second)
 
 
 def _may_be_of(stream: Stream, lane: Stream) -> bool:

@@ -49,11 +49,14 @@ export function FilmedFields({
           onInput={(hour) => onChange({ [name]: hour === null ? null : Number(hour) })}
         />
       ))}
-      {(value.hour_from ?? 0) > (value.hour_to ?? DAY_H) && (
-        <p class="field__hint across">{say("statistics-filter-over-midnight")}</p>
-      )}
+      {isOverMidnight(value) && <p class="field__hint across">{say("statistics-filter-over-midnight")}</p>}
     </>
   );
+}
+
+/** Whether midnight lies within the hours. */
+export function isOverMidnight({ hour_from, hour_to }: Filmed): boolean {
+  return (hour_from ?? 0) > (hour_to ?? DAY_H);
 }
 
 /** What clocks show at a full hour: "07:00". */

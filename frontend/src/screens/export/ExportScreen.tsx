@@ -29,7 +29,7 @@ import { formatBytes } from "../../core/units";
 import { LIGHTING_WORDS } from "../../core/words";
 import { Outdated } from "../../parts/again/Outdated";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
-import { clockHour, FilmedFields } from "../../parts/filming/FilmedFields";
+import { clockHour, type Filmed, FilmedFields, isOverMidnight } from "../../parts/filming/FilmedFields";
 import { ClassChoice, classWords } from "../../parts/vehicles/ClassChoice";
 import "./export.css";
 
@@ -155,16 +155,33 @@ function Choosing({ wanted, onChange }: { wanted: Wanted; onChange(wanted: Wante
 }
 
 function wantedWords({ lighting, class_sets, categories, ...filmed }: Wanted): string {
-  const { filmed_from, filmed_to, hour_from, hour_to } = filmed;
   const words = [
     lighting && LIGHTING_WORDS[lighting],
     classWords(class_sets, categories),
-    filmed_from && say("export-of-filmed-from", { day: filmed_from }),
-    filmed_to && say("export-of-filmed-to", { day: filmed_to }),
-    (hour_from !== null || hour_to !== null) &&
-      say("export-of-hours", { begins: clockHour(hour_from ?? 0), ends: clockHour(hour_to ?? 24) }),
+    ...filmedWords(filmed),
   ];
   return apart(words.filter((one): one is string => Boolean(one)));
+}
+
+/** On which days and at which hours. */
+function filmedWords(filmed: Filmed): (string | null | false)[] {
+  const { filmed_from: first, filmed_to: last, hour_from, hour_to } = filmed;
+  const limited = hour_from !== null || hour_to !== null;
+  const hours = { begins: clockHour(hour_from ?? 0), ends: clockHour(hour_to ?? 24) };
+  const days = daysWord(first, last);
+  if (isOverMidnight(filmed) && days)
+    return [say("export-of-nights", { days, first: first ?? "", last: last ?? "", ...hours })];
+  return [
+    first && say("export-of-filmed-from", { day: first }),
+    last && say("export-of-filmed-to", { day: last }),
+    limited && say("export-of-hours", hours),
+  ];
+}
+
+function daysWord(first: string | null, last: string | null): "one" | "several" | "since" | "until" | null {
+  if (first && last) return first === last ? "one" : "several";
+  if (first) return "since";
+  return last ? "until" : null;
 }
 
 /** A package that is being built when the page is opened is followed as if it had been started here. */
