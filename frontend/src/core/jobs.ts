@@ -16,11 +16,7 @@ export function isOver(job: Job): boolean {
 }
 
 /** Follows one job until it is over. Polls quickly at first, then every two seconds. */
-async function followJob(
-  id: number,
-  onChange: (job: Job) => unknown,
-  signal?: AbortSignal,
-): Promise<Job> {
+async function followJob(id: number, onChange: (job: Job) => unknown, signal?: AbortSignal): Promise<Job> {
   for (let wait = 250; ; wait = Math.min(2000, wait * 1.3)) {
     const job = await api.ask("GET /jobs/{job_id}", { job_id: id }, { signal });
     onChange(job);
