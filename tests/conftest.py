@@ -82,11 +82,11 @@ def pytest_runtestloop() -> None:
 
 
 @pytest.hookimpl(trylast=True)
-def pytest_unconfigure() -> None:
+def pytest_unconfigure(config: pytest.Config) -> None:
     """A worker has told all by now: it ends without taking apart what it imported, which takes two seconds.
     Elsewhere libraries would complain that what they made is still there.
     """
-    if "PYTEST_XDIST_WORKER" in os.environ:
+    if hasattr(config, "workerinput"):
         atexit._run_exitfuncs()
         os._exit(0)
     gc.unfreeze()

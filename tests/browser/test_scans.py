@@ -354,6 +354,7 @@ def test_errors_of_motion_lead_with_the_speed_and_stand_on_one_line(
     expect(sizes).to_contain_text("Wheelbase, daytime")
     rows = page.get_by_role("row").filter(has_text=re.compile("^(Speed|Length|Wheelbase), "))
     told = [name.split(",")[0] for name in rows.all_inner_texts()]
+    assert told[0] == "Speed"
     assert told == sorted(told, key=["Speed", "Length", "Wheelbase"].index), told
     speeds.scroll_into_view_if_needed()
     page.screenshot(path=screenshots / "scan-errors-1024.png")

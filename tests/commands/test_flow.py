@@ -291,8 +291,10 @@ def test_who_stands_through_segments_of_a_stream_counts_once(
     again |= {"rear_line_1": 150_000.0, "reason": str(STOPPED), "front_at": "2026-05-04T06:01:00+00:00"}
     path = tmp_path / "stream.jsonl"
     path.write_text("\n".join(map(json.dumps, (first, again))))
-    (hour,) = table(flow(capsys, path, "--interval", "60"))
+    told = flow(capsys, path, "--interval", "60", "--vehicles", tmp_path / "cars.csv")
+    (hour,) = table(told)
     assert (hour["vehicles"], hour["headway_mean_s"], hour["occupancy_percent"]) == ("1", "", "")
+    assert len(table((tmp_path / "cars.csv").read_text())) == 1  # as many as count
 
 
 def test_who_leaves_behind_one_that_stands_is_counted_once(

@@ -257,14 +257,15 @@ def _too_few(shown: ShownInterval) -> list[str]:
 
 
 def _vehicle_rows(of: Results) -> Iterator[dict[str, Any]]:
-    """Each vehicle with its headway: from the front before, of its direction and lane."""
+    """Each vehicle that counts here with its headway: from the front before, of its direction and lane."""
     passings: list[tuple[float, float | None, VehicleMotion]] = []
     streams = streams_of(of.vehicles)
     for (way, _), stream in streams.items():
         fronts_s = [one.since_s or 0.0 for one in stream]
         headways = headways_s(fronts_s, [one.front_seen for one in stream], strays_s(streams, way))
         passings += zip(fronts_s, headways, stream, strict=True)
-    for since_s, headway_s, vehicle in sorted(passings, key=lambda each: each[0]):
+    counted = [each for each in passings if not each[2].told_before]
+    for since_s, headway_s, vehicle in sorted(counted, key=lambda each: each[0]):
         held = {
             "recording": of.name,
             "id": vehicle.number,

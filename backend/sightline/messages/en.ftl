@@ -6971,10 +6971,10 @@ scan-run-none-found = No vehicle was found; check the strips, and that time runs
 scan-run-swapped = { NUMBER($reversed) } of { NUMBER($found) } vehicles reached the second strip first; if traffic does not run that way here, the strips are swapped.
 scan-run-alone = { $alone } objects passed only one camera: check that both show the same lane, and check baseline and line rate.
 scan-run-stood-in-front = A vehicle stopped in front of another that stood; it may be missing, and so may vehicles that passed meanwhile.
-scan-run-rests-again = Something came to rest in front of a vehicle that stood { $count ->
-    [one] once
-   *[other] { NUMBER($count) } times
- }. It counts as another vehicle, but may be the same one that moved on a little: look at the strips there.
+scan-run-rests-again = { $count ->
+    [one] Once something came to rest in front of a standing vehicle. It
+   *[other] { NUMBER($count) } times something came to rest in front of a standing vehicle. Each
+ } counts as another vehicle, but may be the same one that moved on a little: look at the strips.
 scan-run-light-changed = The brightness changed suddenly { $count ->
     [one] once
    *[other] { NUMBER($count) } times

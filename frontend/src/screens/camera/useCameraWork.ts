@@ -46,6 +46,7 @@ export function useCameraWork(
     set((now) => ({ ...now, images: [...now.images, added] }));
   });
   const addImages = async (files: File[]) => {
+    if (!board) return;
     setProblem(null);
     await sending.add(files);
     await refreshSurvey();

@@ -111,7 +111,7 @@ export function GroupsFigure({
       {...words}
       legend={curves.map(({ curve }) => curve)}
       reason={curves.length === 0 ? none : null}
-      data={[groups, by]}
+      data={groups}
       options={(plot, unit) => {
         const [perX, long] = lengthScale(unit);
         return {

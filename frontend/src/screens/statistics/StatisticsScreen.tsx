@@ -263,7 +263,7 @@ function LateralSection({ lateral }: { lateral: Lateral }) {
 }
 
 export function LanesTable({ lateral }: { lateral: Lateral }) {
-  const all = { ...lateral.all, key: "all", word: say("statistics-lateral-all") };
+  const all = { ...lateral.all, key: "", word: say("statistics-lateral-all") };
   const lanes = lateral.lanes.groups.flatMap((lane) => [
     { ...lane, key: lane.word, word: groupWord("lane", lane.word) },
     ...(lateral.classes[lane.word]?.groups ?? []).map((of) => ({
