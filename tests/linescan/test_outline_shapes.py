@@ -90,30 +90,29 @@ def held(shape: Shape, noise: float, straying: bool) -> tuple[float, float]:
 
 
 SEEN = [(noise, straying) for straying in (False, True) for noise in (0.2, 0.5)]
-CLEAR = [(shape, *how) for shape in (round_end, small_flat) for how in SEEN]
-UPRIGHT = [(shape, *how) for shape in (upright, corner) for how in SEEN]
 
 
-@pytest.mark.parametrize("case", [(round_bumper, 0.2, False), *every(4, CLEAR)])
+@pytest.mark.parametrize(
+    "case",
+    [
+        (round_bumper, 0.2, False),
+        *every(
+            4, [(shape, *how) for shape in (upright, corner, round_end, small_flat) for how in SEEN[::-1]]
+        ),
+    ],
+)
 def test_u95_of_an_end_holds(case: tuple[Shape, float, bool]) -> None:
     share, over_u = held(*case)
     assert share >= 0.93 and over_u <= 1.1
 
 
-@pytest.mark.parametrize("case", every(5, UPRIGHT))
-def test_u95_of_an_upright_end_holds_less_often(case: tuple[Shape, float, bool]) -> None:
-    """Not mended: the foremost of many bands are those that noise and greys put there."""
-    share, over_u = held(*case)
-    assert share >= 0.90 and over_u <= 1.2
-
-
 @pytest.mark.parametrize("how", every(3, SEEN[1:]))
 def test_u95_of_a_bumper_that_noise_hides_holds_less_often(how: tuple[float, bool]) -> None:
     """Not mended: by 1.7 mm of noise or as much of greys a bumper 5 mm before a grille may look upright."""
-    assert held(round_bumper, *how)[0] >= 0.78
+    assert held(round_bumper, *how)[0] >= 0.84
 
 
 @pytest.mark.parametrize("how", every(4, SEEN))
 def test_u95_of_a_slanted_end_holds_less_often(how: tuple[float, bool]) -> None:
     """Not mended: its tip lies half a band before the middle of the foremost band, where the end is put."""
-    assert held(slanted, *how)[0] >= 0.83
+    assert held(slanted, *how)[0] >= 0.84
