@@ -2,14 +2,17 @@
 
 It is the vertex of a parabola through the edges of neighbouring bands, each with the weight of its own doubt:
 bumpers are round, and may have the road's own grey in some bands. Where a parabola fits no better than an
-upright line the end is flat, and the line goes through as many bands as agree with it: the lowest of noisy
-values, which a vertex seeks, lies too far out. An outline falls back from its foremost point upwards and
-downwards, so bands that lie behind others on either side are no part of it: they are gaps, or show an edge
-within a vehicle whose grey is the road's there. Which of both is told by what little differs before them.
+upright line the end is flat. The lowest of many noisy values, which a vertex seeks, lies too far out, and so
+does a parabola about a corner; a bumper that stands before an upright face does not. So wherever more bands
+agree with an upright line, both are weighed by what the bands say, and u holds what lies between them.
+
+An outline falls back from its foremost point upwards and downwards, so bands that lie behind others on either
+side are no part of it: they are gaps, or show an edge within a vehicle whose grey is the road's there. Which
+of both is told by what little differs before them.
 """
 
 from dataclasses import dataclass
-from math import hypot, inf, log, sqrt
+from math import exp, hypot, inf, log, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,10 +22,19 @@ from sightline.robust import robust_scale
 
 # along the vehicle, metres: searched before the rough edge
 BEFORE_M = 0.10
-# bands on either side of the foremost one through which the parabola goes: some 14 cm of a bumper; and those
-# through which an upright line goes as long as it stays within so many of its standard uncertainties
+# bands on either side of the foremost one through which the parabola goes: some 14 cm of a bumper
 REACH = 3
-FLAT_REACHES, STAYS = (5, 8, 12, 18), 1.5
+# bands on either side of its middle through which an upright line may go, with the foremost one in the middle
+# or as the second from above or from below; so many of them, and such a share, must agree with it, those
+# within so many of their standard deviations
+UPRIGHT_REACHES, SIDES = (5, 8, 12, 18), (0, -1, 1)
+UPRIGHT_BANDS, UPRIGHT_SHARE, AGREES = 8, 0.7, 2.0
+# Neighbouring bands that may stand before such a line as a bumper: from so many to so many, beside so many at
+# least that do not, of which none lies farther behind it than so many standard deviations; and how far
+# bumpers usually do, metres
+BUMPER_BANDS, BESIDE_BANDS, BEHIND, BUMPER_M = (3, 12), 4, 3.0, 0.010
+# how likely a bumper is before anything is seen: one in twenty ends that may be upright
+BUMPER_SHARE = 0.05
 # Of the bands about the foremost point, one that shows no clear edge, or one that strays, may have been the
 # foremost: by how much it hides grows as the square of their number, as a parabola falls back. Metres.
 HIDDEN_M = 0.0003
@@ -101,10 +113,25 @@ class Seen:
         return float(part.mean()) / hypot(self.sigma_dn / sqrt(len(part)), self.least_dn)
 
 
+@dataclass(frozen=True)
+class _End:
+    """The foremost line of an outline, its u but for what is hidden, and whether the outline is flat.
+
+    `bend`: by how many lines it falls back at one band from its foremost; of a flat one, at most (one u more
+    than was found), of another, no more is known than of any.
+    """
+
+    line: float
+    u_lines: float
+    flat: bool
+    bend: float
+
+
 def fit_foremost_edge(bands: Bands, view: Seen) -> Edge:
     """The smallest line of the outline through the edges around the foremost bands.
 
-    Own method: an upright line or a weighted parabola through them, whichever is enough (Schwarz 1978).
+    Own method: an upright line or a weighted parabola through them, whichever is enough (Schwarz 1978), and
+    an upright line through more, averaged by how likely each is (Hoeting et al. 1999).
     """
     edges, u, uneven, clear, lines_per_m = bands.edges, bands.u, bands.uneven, bands.clear, view.lines_per_m
     notches = _notches(bands, lines_per_m)
@@ -130,14 +157,77 @@ def fit_foremost_edge(bands: Bands, view: Seen) -> Edge:
         _may_hide(bands, view, notches, end.line, bend),
     )
     other = float(np.max(bands.ahead[kept[np.abs(kept - middle) <= 1]], initial=0.0)) / 2
-    line, u_lines = end.line, hypot(end.u_lines, hidden, other)
-    for reach in FLAT_REACHES if end.flat else ():
-        near = used[np.abs(used - middle) <= reach]
-        wider = _end_of(near - middle, edges[near], u[near], uneven[near])
-        if not wider.flat or abs(wider.line - end.line) > STAYS * end.u_lines:
-            break
-        end, line, u_lines = wider, wider.line, hypot(wider.u_lines, other)
-    return Edge(line, doubtful, u_lines)
+    line, u_lines = end.line, hypot(end.u_lines, hidden)
+    upright = _upright_of(bands, used, int(middle), end, lines_per_m)
+    if upright is not None:
+        found, share = upright
+        line, u_lines = _either((found.line, found.u_lines), (line, u_lines), share)
+    return Edge(line, doubtful, hypot(u_lines, other))
+
+
+def _either(one: tuple[float, float], other: tuple[float, float], share: float) -> tuple[float, float]:
+    """Line and u of what is `one` (its line and u) with the probability `share`, else the `other`: mean and
+    standard deviation of both together (Hoeting et al. 1999).
+    """
+    apart = one[0] - other[0]
+    variance = share * one[1] ** 2 + (1 - share) * other[1] ** 2 + share * (1 - share) * apart**2
+    return other[0] + share * apart, sqrt(variance)
+
+
+def _upright_of(
+    bands: Bands, used: NDArray[np.intp], middle: int, end: _End, lines_per_m: float
+) -> tuple[_End, float] | None:
+    """The surest upright line through more of the bands `used` (n,) about the `middle` one, or to one side of
+    it, than the `end` was found by, and how likely it is the end; None where no such line has bands enough.
+
+    Own method. Against it stands a bumper: neighbouring bands, the `middle` one among them, that lie before
+    the others of the line. Bands that are too unsure to tell leave it as likely as it was.
+    """
+    found: _End | None = None
+    s = np.hypot(bands.u, bands.uneven)
+    near, misses = used, s
+    for reach in UPRIGHT_REACHES:
+        for side in SIDES:
+            some = used[np.abs(used - middle - side * (reach - 1)) <= reach]
+            if len(some) < UPRIGHT_BANDS:
+                continue
+            line = _end_of(some - middle, bands.edges[some], bands.u[some], bands.uneven[some])
+            # one that lies before a round end says nothing that the round end does not
+            if not line.flat or (not end.flat and line.line <= end.line):
+                continue
+            off = (bands.edges[some] - line.line) / s[some]
+            agree = float(np.mean(np.abs(off) < AGREES))
+            if agree >= UPRIGHT_SHARE and (found is None or line.u_lines < found.u_lines):
+                found, near, misses = line, some, off
+    if found is None:
+        return None
+    scatter = max(1.0, robust_scale(misses)) ** 2
+    at = int(np.searchsorted(used, middle))
+    beside = np.isin(used, near[misses < BEHIND])
+    gain = _bumper_gain(bands.edges[used], scatter * s[used] ** 2, beside, at, BUMPER_M * lines_per_m)
+    return found, 1 / (1 + BUMPER_SHARE / (1 - BUMPER_SHARE) * exp(min(gain, 50.0)))
+
+
+def _bumper_gain(y: Floats, variance: Floats, upright: NDArray[np.bool_], at: int, usual: float) -> float:
+    """Logarithm of how many times likelier the edges `y` (n,) of a `variance` each are where neighbouring
+    bands, the one `at` among them, lie before the other `upright` ones: of those that may the likeliest.
+
+    Bayes factor of a mean that is 0 or normal of standard deviation `usual` (Kass and Raftery 1995).
+    """
+    weights = 1 / variance
+    columns = weights, weights * y, weights * upright, weights * y * upright, 1.0 * upright
+    sums = np.cumsum(np.column_stack([np.zeros(5), np.array(columns)]), axis=1).T
+    least, most = BUMPER_BANDS
+    gains = list[float]()
+    for first in range(max(at + 1 - most, 0), at + 1):
+        for last in range(max(first + least, at + 1), min(first + most, len(y)) + 1):
+            inner = sums[last] - sums[first]
+            beside = sums[-1] - inner
+            if beside[4] >= BESIDE_BANDS:
+                before = max(float(beside[3] / beside[2] - inner[1] / inner[0]), 0.0)
+                own = float(1 / inner[0] + 1 / beside[2])
+                gains.append((before**2 / own / (1 + own / usual**2) - log(1 + usual**2 / own)) / 2)
+    return max(gains, default=0.0)
 
 
 def _of_three(values: Floats) -> Floats:
@@ -183,20 +273,6 @@ def _may_hide(bands: Bands, view: Seen, notches: NDArray[np.bool_], line: float,
     return min(most, DOUBT_M * view.lines_per_m)
 
 
-@dataclass(frozen=True)
-class _End:
-    """The foremost line of an outline, its u but for what is hidden, and whether the outline is flat.
-
-    `bend`: by how many lines it falls back at one band from its foremost; of a flat one, at most (one u more
-    than was found), of another, no more is known than of any.
-    """
-
-    line: float
-    u_lines: float
-    flat: bool
-    bend: float
-
-
 def _end_of(x: NDArray[np.intp], y: Floats, s: Floats, uneven: Floats) -> _End:
     """The foremost line of a parabola, or of an upright line if that is enough, through the edges `y` (n,) of
     bands `x` (n,), of standard deviations `s` (n,) by noise and `uneven` (n,) by greys.
@@ -211,29 +287,37 @@ def _end_of(x: NDArray[np.intp], y: Floats, s: Floats, uneven: Floats) -> _End:
         CAUCHY**2 * float(np.log1p((_misses(place, y, s, one) / (CAUCHY * spread)) ** 2).sum())
         for one in (flat[0], c)
     ]
+    grey = float(np.average(uneven, weights=s**-2))
     # a parabola must gain what its two more coefficients cost (Schwarz 1978)
-    is_flat = costs[0] < costs[1] + 2 * log(len(y))
-    bend, at = inf, 0.0
-    if is_flat:
-        bend = max(float(c[2]), 0.0) + sqrt(max(1.0, strays) * float(np.linalg.pinv(normal)[2, 2]))
-        c, normal, strays = flat
-    elif c[2] > 1e-6:
-        at = float(np.clip(-c[1] / (2 * c[2]), place.min(), place.max()))
-    else:
-        c, normal, strays = _weighted_fit(place, y, s, 1)
-        at = float(place.min() if c[1] > 0 else place.max())
-    gradient = at ** np.arange(len(c))
-    wider = max(1.0, strays)
-    if is_flat:
-        wider = (
-            USUAL_SHARE + (1 - USUAL_SHARE) * strays
-            if len(y) > 2 * REACH + 1
-            else 1 + FEW_STRAY * (wider - 1)
-        )
+    gain = costs[0] - costs[1] - 2 * log(len(y))
+    is_round = c[2] > 1e-6
+    if is_round:
+        vertex = float(np.clip(-c[1] / (2 * c[2]), place.min(), place.max()))
+        foremost = _line_at(vertex, c, normal, max(1.0, strays), ROUND_GREY * grey, ROUND_SHAPE * float(c[2]))
+    if gain >= 0:
+        if not is_round:
+            c, normal, strays = _weighted_fit(place, y, s, 1)
+            tip = float(place.min() if c[1] > 0 else place.max())
+            foremost = _line_at(tip, c, normal, max(1.0, strays), ROUND_GREY * grey)
+        return _End(*foremost, False, inf)
+    bend = max(float(c[2]), 0.0) + sqrt(max(1.0, strays) * float(np.linalg.pinv(normal)[2, 2]))
+    few = len(y) <= 2 * REACH + 1
+    c, normal, strays = flat
+    wider = 1 + FEW_STRAY * (max(1.0, strays) - 1) if few else USUAL_SHARE + (1 - USUAL_SHARE) * strays
+    line = _line_at(0.0, c, normal, wider, FLAT_GREY * grey)
+    # few bands may not tell a round end: a vertex weighs as much as it costs more
+    if few and is_round:
+        line = _either(line, foremost, 1 / (1 + exp(gain / 2)))
+    return _End(*line, True, bend)
+
+
+def _line_at(place: float, c: Floats, normal: Floats, wider: float, *others: float) -> tuple[float, float]:
+    """Value and u of a polynomial of coefficients `c`, from x^0 up, and their `normal` matrix at a place;
+    `wider`: by what its variance is multiplied; `others`: further u.
+    """
+    gradient = place ** np.arange(len(c))
     by_noise = wider * float(gradient @ np.linalg.solve(normal, gradient))
-    by_grey = (FLAT_GREY if is_flat else ROUND_GREY) * float(np.average(uneven, weights=s**-2))
-    by_shape = 0.0 if is_flat or len(c) < 3 else ROUND_SHAPE * float(c[2])
-    return _End(float(gradient @ c), hypot(sqrt(by_noise), by_grey, by_shape), is_flat, bend)
+    return float(gradient @ c), hypot(sqrt(by_noise), *others)
 
 
 def _misses(x: Floats, y: Floats, s: Floats, c: Floats) -> Floats:
