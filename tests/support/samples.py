@@ -26,11 +26,11 @@ from sightline.measurements.tables import measurement_series
 from sightline.measurements.tables import measurements as revision_rows
 from sightline.measurements.tables import reviews as review_rows
 from sightline.media.store.local import key_of
+from sightline.media.video.frame_table import FrameTable
 from sightline.messages.said import Said
 from sightline.people.store import create_person
 from sightline.poses.records import Pose
 from sightline.poses.store import add_pose
-from sightline.recordings.frames.records import FrameTable
 from sightline.recordings.records import Facts, Recording
 from sightline.recordings.store import create_recording, get_recording, note_ingested
 from sightline.reviews.lots.query import get_lot

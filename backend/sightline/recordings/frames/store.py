@@ -9,7 +9,9 @@ from sqlalchemy import bindparam, delete, select, update
 from sqlalchemy.orm import Session
 
 from sightline.errors import NotFound
-from sightline.recordings.frames.records import Frame, FrameTable
+from sightline.infra.by_name import record_of
+from sightline.media.video.frame_table import FrameTable
+from sightline.recordings.frames.records import Frame
 from sightline.recordings.frames.tables import frames
 
 _SQLITE_INSERT = 'INSERT INTO frames (recording_id, n, pts, time_s, "key", crc32) VALUES (?, ?, ?, ?, ?, ?)'
@@ -29,10 +31,10 @@ def get_frame_table(
     pts, time_s, key, crc32 = zip(*rows, strict=True) if rows else ((), (), (), ())
     return FrameTable(
         first=first,
-        pts=_fixed(pts, np.int64),
-        time_s=_fixed(time_s, np.float64),
-        key=_fixed(key, np.bool_),
-        crc32=_fixed(crc32, np.uint32),
+        pts=np.array(pts, np.int64),
+        time_s=np.array(time_s, np.float64),
+        key=np.array(key, np.bool_),
+        crc32=np.array(crc32, np.uint32),
     )
 
 
@@ -42,7 +44,7 @@ def get_frame(session: Session, recording_id: int, n: int) -> Frame:
     row = session.execute(query).one_or_none()
     if row is None:
         raise missing_frame(recording_id, n)
-    return Frame(n=row.n, pts=row.pts, time_s=row.time_s, key=row.key, crc32=row.crc32)
+    return record_of(Frame, row._mapping)
 
 
 def missing_frame(recording_id: int, n: int) -> NotFound:
@@ -91,9 +93,3 @@ def frame_table_fingerprint(frame_table: FrameTable) -> str:
     for array, kind in kinds:
         digest.update(np.ascontiguousarray(array, dtype=kind).tobytes())
     return digest.hexdigest()
-
-
-def _fixed(values: Any, kind: Any) -> Any:
-    array = np.array(values, dtype=kind)
-    array.flags.writeable = False
-    return array
