@@ -65,7 +65,7 @@ def frame_table(count: int = 100) -> FrameTable:
     """Frames 40 ms apart, a key frame every 12, with checksums beyond 31 bits."""
     n = np.arange(count)
     crc32 = ((n * 2654435761 + 4_000_000_000) % 2**32).astype(np.uint32)
-    return FrameTable(0, n.astype(np.int64) * 512, n * 0.04, n % 12 == 0, crc32)
+    return FrameTable(n.astype(np.int64) * 512, n * 0.04, n % 12 == 0, crc32)
 
 
 def facts(**changed: Any) -> Facts:

@@ -8,15 +8,14 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True, eq=False, slots=True)
 class FrameTable:
-    """Frames `first .. first + len - 1` of a video, a row each: `pts` in the stream's time base, `time_s`
-    from the first frame, `crc32` of the luma.
+    """Frame n is row n. `pts` in the stream's time base, `time_s` from the first frame, `crc32` of the
+    luma.
 
     `pts` is what the file says. Decoders show frames in order, so where the file's time stamps are not in
     order (AVI writes those of the packets), `time_s` holds the same times, sorted. Shapes (N,), dtypes int64,
     float64, bool and uint32; not writeable.
     """
 
-    first: int
     pts: NDArray[np.int64]
     time_s: NDArray[np.float64]
     key: NDArray[np.bool_]

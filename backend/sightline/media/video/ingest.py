@@ -177,4 +177,4 @@ def _table(rows: _Rows, tick_s: float) -> FrameTable:
     stamped = pts != NO_PTS
     ordered = np.sort(pts) if stamped.all() else np.arange(len(pts))
     time_s = (ordered - ordered[0]) * tick_s
-    return FrameTable(0, pts, time_s, np.array(rows.key, np.bool_), np.array(rows.crc, np.uint32))
+    return FrameTable(pts, time_s, np.array(rows.key, np.bool_), np.array(rows.crc, np.uint32))

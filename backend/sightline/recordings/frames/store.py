@@ -18,19 +18,13 @@ _SQLITE_INSERT = 'INSERT INTO frames (recording_id, n, pts, time_s, "key", crc32
 _COPY = 'COPY frames (recording_id, n, pts, time_s, "key", crc32) FROM STDIN'
 
 
-def get_frame_table(
-    session: Session, recording_id: int, first: int = 0, count: int | None = None
-) -> FrameTable:
-    """Frames `first` to `first + count - 1`, as many as there are."""
-    wanted = select(frames.c.pts, frames.c.time_s, frames.c.key, frames.c.crc32).where(
-        frames.c.recording_id == recording_id, frames.c.n >= first
-    )
-    if count is not None:
-        wanted = wanted.where(frames.c.n < first + count)
-    rows = session.execute(wanted.order_by(frames.c.n)).all()
+def get_frame_table(session: Session, recording_id: int) -> FrameTable:
+    """The whole table; without rows where nothing was ingested."""
+    columns = (frames.c.pts, frames.c.time_s, frames.c.key, frames.c.crc32)
+    wanted = select(*columns).where(frames.c.recording_id == recording_id).order_by(frames.c.n)
+    rows = session.execute(wanted).all()
     pts, time_s, key, crc32 = zip(*rows, strict=True) if rows else ((), (), (), ())
     return FrameTable(
-        first=first,
         pts=np.array(pts, np.int64),
         time_s=np.array(time_s, np.float64),
         key=np.array(key, np.bool_),
@@ -56,7 +50,7 @@ def replace_frames(session: Session, recording_id: int, found: FrameTable) -> No
     """Put a recording's whole frame table in the place of the one before (one bulk statement)."""
     remove_frames(session, recording_id)
     columns = (found.pts.tolist(), found.time_s.tolist(), found.key.tolist(), found.crc32.tolist())
-    rows = [(recording_id, n, *values) for n, values in enumerate(zip(*columns, strict=True), found.first)]
+    rows = [(recording_id, n, *values) for n, values in enumerate(zip(*columns, strict=True))]
     if not rows:
         return
     connection = session.connection()
