@@ -330,7 +330,16 @@ def _span(
     if not BASELINE_M.least <= span_m <= BASELINE_M.most:
         span_m = float(f"{span_m:.4g}")
         raise RigPassError("rig-pass-span", span_m=span_m, least=BASELINE_M.least, most=BASELINE_M.most)
-    return Span(of.name, kind, of.distance_m, of.u_distance_m, span_m, u_span_m, u_ratio, shared)
+    return Span(
+        name=of.name,
+        kind=kind,
+        distance_m=of.distance_m,
+        u_distance_m=of.u_distance_m,
+        span_m=span_m,
+        u_span_m=u_span_m,
+        u_ratio=u_ratio,
+        shared=shared,
+    )
 
 
 def _require_values(rig_pass: RigPass, kind: RigPassKind) -> None:
