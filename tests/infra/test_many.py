@@ -25,12 +25,10 @@ def test_twenty_thousand_frames_come_back(factory: SessionFactory) -> None:
         note_ingested(session, one.recording.id, samples.facts(), table, actor=None)
     with reading(factory) as session:
         back = get_frame_table(session, one.recording.id)
-        part = get_frame_table(session, one.recording.id, first=19_990, count=50)
     for name in ("pts", "time_s", "key", "crc32"):
         assert np.array_equal(getattr(back, name), getattr(table, name))
         assert getattr(back, name).dtype == getattr(table, name).dtype
         assert not getattr(back, name).flags.writeable
-    assert (part.first, len(part)) == (19_990, 10) and part.pts[0] == table.pts[19_990]
 
 
 @pytest.fixture

@@ -9,11 +9,11 @@ import pytest
 
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.services import Services
-from sightline.linescan.rig import baseline_of
+from sightline.linescan.rig import CALIBRATED, baseline_of
 from sightline.scans.records import StripSource
 from sightline.scans.rig.calibrating import found_of
 from sightline.scans.rig.store import rig_calibration_history
-from sightline.scans.store import CALIBRATED, create_scan, get_scan, note_scan_read
+from sightline.scans.store import create_scan, get_scan, note_scan_read
 from tests.linescan.test_rig_calibration import STANDS_M, Errors, by_board, by_positions, planes
 from tests.support import scans_samples
 from tests.support.app import Client, error_of

@@ -26,11 +26,11 @@ from sightline.measurements.tables import measurement_series
 from sightline.measurements.tables import measurements as revision_rows
 from sightline.measurements.tables import reviews as review_rows
 from sightline.media.store.local import key_of
+from sightline.media.video.frame_table import FrameTable
 from sightline.messages.said import Said
 from sightline.people.store import create_person
 from sightline.poses.records import Pose
 from sightline.poses.store import add_pose
-from sightline.recordings.frames.records import FrameTable
 from sightline.recordings.records import Facts, Recording
 from sightline.recordings.store import create_recording, get_recording, note_ingested
 from sightline.reviews.lots.query import get_lot
@@ -65,7 +65,7 @@ def frame_table(count: int = 100) -> FrameTable:
     """Frames 40 ms apart, a key frame every 12, with checksums beyond 31 bits."""
     n = np.arange(count)
     crc32 = ((n * 2654435761 + 4_000_000_000) % 2**32).astype(np.uint32)
-    return FrameTable(0, n.astype(np.int64) * 512, n * 0.04, n % 12 == 0, crc32)
+    return FrameTable(n.astype(np.int64) * 512, n * 0.04, n % 12 == 0, crc32)
 
 
 def facts(**changed: Any) -> Facts:

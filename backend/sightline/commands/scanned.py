@@ -18,17 +18,9 @@ from sightline.infra.local_time import to_millisecond
 from sightline.linescan.clock import u_passing_s
 from sightline.linescan.parts import USUAL_SHADOW_SHARE, Lane, Rig
 from sightline.linescan.passing import Vehicle
-from sightline.linescan.rig import require_rig, rig_from
+from sightline.linescan.rig import CALIBRATED, require_rig, rig_from
 
-_OF_FILE = (
-    "baseline_m",
-    "u_baseline_m",
-    "divergence_rad",
-    "u_divergence_rad",
-    "baseline_correlation",
-    "distance_m",
-    "u_distance_m",
-)
+_OF_FILE = (*CALIBRATED, "distance_m", "u_distance_m")
 _OPTIONS = {
     "baseline_m": "--baseline",
     "line_rate_hz": "--line-rate",

@@ -29,7 +29,7 @@ from sightline.people.store import create_person, person_by_email, update_person
 from sightline.poses.store import add_pose
 from sightline.recordings.drift_request import request_if_posed
 from sightline.recordings.filming import Filming
-from sightline.recordings.ingest_job import facts_of, table_of
+from sightline.recordings.ingest_job import facts_of
 from sightline.recordings.records import RecordingChanges
 from sightline.recordings.store import create_recording, list_recordings, note_ingested, update_recording
 from sightline.surveys.place import Place
@@ -198,7 +198,7 @@ def add_film(session: Session, survey_id: int, camera_id: int, film: Film, facts
         camera_id=camera_id,
         actor=None,
     )
-    note_ingested(session, recording.id, facts_of(film.found, None), table_of(film.found), actor=None)
+    note_ingested(session, recording.id, facts_of(film.found, None), film.found.frames, actor=None)
     update_recording(session, recording.id, facts, actor=None)
     return recording.id
 

@@ -16,6 +16,7 @@ from sightline.infra.database import Session
 from sightline.measurements.records import ClickedFrame, Clicks, Measurement
 from sightline.measurements.service import store_measurement
 from sightline.reviews.service import review
+from sightline.reviews.store import add_review
 from sightline.vehicles.records import Vehicle
 
 CLICK_NOISE_PX = 0.7
@@ -118,10 +119,18 @@ def judge(session: Session, passes: list[Pass], stored: dict[int, list[Measureme
     """The reviewer's verdicts, as each vehicle's fate says."""
     for vehicle_pass in passes:
         for measurement in stored.get(vehicle_pass.vehicle.id, []):
+            seen = measurement.revision
             if vehicle_pass.fate == "accepted":
-                _say(session, measurement, "accepted", actor)
+                add_review(session, measurement.id, seen_revision=seen, verdict="accepted", actor=actor)
             elif vehicle_pass.fate == "slipped" and measurement.values.target == "taillight":
-                _say(session, measurement, "rejected", actor, reason=REJECTED)
+                add_review(
+                    session,
+                    measurement.id,
+                    seen_revision=seen,
+                    verdict="rejected",
+                    reason=REJECTED,
+                    actor=actor,
+                )
             elif vehicle_pass.fate == "fixed" and measurement.values.target == "roof":
                 _fix(session, measurement, vehicle_pass, actor)
 
@@ -130,29 +139,14 @@ def _fix(session: Session, measurement: Measurement, seen: Pass, actor: int) -> 
     found = sight_of(seen.truth, measurement.values.target)
     assert found is not None
     rng = np.random.default_rng([_FIXED, *seen.place])
-    contact, point = scatter_click(found[1], rng), scatter_click(found[2], rng)
-    _say(
-        session, measurement, "fixed", actor, reason="Clicked again at higher zoom.", points=(contact, point)
-    )
-
-
-def _say(
-    session: Session,
-    measurement: Measurement,
-    verdict: str,
-    actor: int,
-    *,
-    reason: str | None = None,
-    points: tuple[Point, Point] | None = None,
-) -> None:
     review(
         session,
         measurement.id,
         revision=measurement.revision,
-        verdict=verdict,  # type: ignore[arg-type]
-        reason=reason,
+        verdict="fixed",
+        reason="Clicked again at higher zoom.",
         frame=None,
-        contact=points[0] if points else None,
-        target_point=points[1] if points else None,
+        contact=scatter_click(found[1], rng),
+        target_point=scatter_click(found[2], rng),
         actor=actor,
     )

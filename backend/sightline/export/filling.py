@@ -62,7 +62,7 @@ from sightline.results.survey_statistics import filter_measured, filter_of
 from sightline.reviews.lots.csv import LOT_ITEMS, LOTS, ItemOfLot
 from sightline.reviews.lots.query import items_of_deleted_vehicles, list_lots
 from sightline.reviews.lots.service import lots_with_items
-from sightline.surveys.csv import CLASSES, INSETS, QUOTAS, SAMPLING, SURVEY, insets_in_force
+from sightline.surveys.csv import CLASSES, INSETS, QUOTAS, SAMPLING, SURVEY
 from sightline.surveys.photographs.csv import PHOTOGRAPHS, photograph_path
 from sightline.surveys.photographs.service import photograph_content
 from sightline.surveys.photographs.store import list_photographs
@@ -124,7 +124,7 @@ def fill_survey(filling: Filling) -> None:
     """The survey with its insets, classes and sample."""
     survey = filling.survey
     filling.staging.fill(SURVEY, (survey,))
-    filling.staging.fill(INSETS, insets_in_force(survey))
+    filling.staging.fill(INSETS, sorted(survey.insets.items()))
     filling.staging.fill(CLASSES, survey.classes)
     filling.staging.fill(SAMPLING, (survey,))
     filling.staging.fill(QUOTAS, survey.sampling.quotas)

@@ -12,6 +12,7 @@ from sightline.enums import JsonObject
 from sightline.infra.audit.hashing import event_hash, to_plain_json
 from sightline.infra.audit.records import survey_chain
 from sightline.infra.audit.tables import audit_events
+from sightline.infra.by_name import record_of
 from sightline.infra.database.rows import row_content
 from sightline.measurements.csv import OfVehicle
 from sightline.measurements.derived_query import add_filming_and_drift
@@ -71,13 +72,10 @@ def revision_pages(session: Session, survey_id: int) -> Iterator[list[tuple[Meas
         rows = session.execute(chosen.where(measurement_series.c.id.between(ids[0], ids[-1]))).all()
         revisions = tuple([measurement_of_row(row) for row in rows])
         cars = [
-            OfVehicle(
-                number=row.number,
-                lighting=row.lighting,
-                category=row.category,
+            record_of(
+                OfVehicle,
+                row._mapping,
                 known_m={target: getattr(row, names.height) for target, names in KNOWN.items()},
-                model_chosen_by=row.model_chosen_by,
-                check_target=row.check_target,
             )
             for row in rows
         ]

@@ -36,6 +36,7 @@ from sightline.scans.references.records import ReferenceValues
 from sightline.scans.statistics.heights import HeightSeen, ScannedHeights, scanned_heights
 from sightline.scans.statistics.service import (
     GAPS,
+    KNOWN_SIZES,
     MOTION,
     ScanStatistics,
     VehicleMotion,
@@ -205,15 +206,7 @@ def scanned_motions(files: Files) -> Iterator[VehicleMotion]:
             measured=row["status"] == "ok",
             lighting=row["lighting"] or lighting.get(row["scan_id"], "") or "unknown",
             values={name: figure_of(row[name]) for name in (*MOTION, *GAPS)},
-            known={
-                name: figure_of(row[column])
-                for name, column in (
-                    ("length_m", "true_length_m"),
-                    ("u_length_m", "u_true_length_m"),
-                    ("wheelbase_m", "true_wheelbase_m"),
-                    ("u_wheelbase_m", "u_true_wheelbase_m"),
-                )
-            },
+            known={name: figure_of(row[column]) for name, column in KNOWN_SIZES.items()},
             status=row["status"] or "not_measurable",
             reason=reason_in(row),
             filmed_at=row["filmed_at"],

@@ -22,6 +22,8 @@ from sightline.linescan.parts import Lane, Motion, Rig
 from sightline.messages.said import Said
 from sightline.robust import robust_scale
 
+#: What a calibration of the rig gives; the correlation is that of these errors and goes with them.
+CALIBRATED = ("baseline_m", "u_baseline_m", "divergence_rad", "u_divergence_rad", "baseline_correlation")
 LEAST_VEHICLES = 5
 LEAST_U_M = 1e-3
 # A median's standard deviation over a mean's, for normal errors.

@@ -277,31 +277,17 @@ def _span_by_name(rig_pass: RigPass, common: Common) -> Span:
 
 def _by_positions(rig_pass: RigPass, common: Common) -> Span:
     first, second, u = _numbers(rig_pass, "position_1_m", "position_2_m", "u_position_m")
-    return Span(
-        name=rig_pass.name,
-        kind="positions",
-        distance_m=rig_pass.distance_m,
-        u_distance_m=rig_pass.u_distance_m,
-        span_m=_span(abs(second - first)),
-        u_span_m=sqrt(2.0) * u,
-        shared={"tape": common.u_tape_ratio},
-    )
+    return _span(rig_pass, "positions", abs(second - first), sqrt(2.0) * u, {"tape": common.u_tape_ratio})
 
 
 def _by_speed(rig_pass: RigPass, common: Common) -> Span:
     speed, u_speed, first, second = _numbers(rig_pass, *VALUES["speed"])
     if common.line_rate_hz is None:
         raise RigPassError("rig-pass-no-rate")
-    return Span(
-        name=rig_pass.name,
-        kind="speed",
-        distance_m=rig_pass.distance_m,
-        u_distance_m=rig_pass.u_distance_m,
-        span_m=_span(speed * abs(second - first) / common.line_rate_hz),
-        u_span_m=sqrt(2.0) * rig_pass.u_line * speed / common.line_rate_hz,
-        u_ratio=u_speed / speed,
-        shared={"speed": common.u_speed_ratio, "line rate": common.u_line_rate_ratio},
-    )
+    rate_hz = common.line_rate_hz
+    span_m, u_span_m = speed * abs(second - first) / rate_hz, sqrt(2.0) * rig_pass.u_line * speed / rate_hz
+    shared = {"speed": common.u_speed_ratio, "line rate": common.u_line_rate_ratio}
+    return _span(rig_pass, "speed", span_m, u_span_m, shared, u_speed / speed)
 
 
 def _by_board(rig_pass: RigPass) -> Span:
@@ -325,27 +311,35 @@ def _by_board(rig_pass: RigPass) -> Span:
         raise RigPassError("rig-pass-stopped")
     by_width = np.linalg.solve(ways.T, reach)
     due = np.array([-by_width[0] * gone[1], gone[2] * (1 + by_width[1]), -by_width[1] * gone[3]])
-    span = _span(float(reach @ motion))
-    return Span(
-        name=rig_pass.name,
-        kind="board",
-        distance_m=rig_pass.distance_m,
-        u_distance_m=rig_pass.u_distance_m,
-        span_m=span,
-        u_span_m=rig_pass.u_line * float(np.sqrt(due @ due + due.sum() ** 2)),
-        shared={f"width {width!r}": u_width / width},
-    )
+    u_span_m = rig_pass.u_line * float(np.sqrt(due @ due + due.sum() ** 2))
+    return _span(rig_pass, "board", float(reach @ motion), u_span_m, {f"width {width!r}": u_width / width})
 
 
 def _numbers(one: RigPass, *names: str) -> list[float]:
     return [float(getattr(one, name)) for name in names]
 
 
-def _span(span_m: float) -> float:
+def _span(
+    of: RigPass,
+    kind: RigPassKind,
+    span_m: float,
+    u_span_m: float,
+    shared: dict[str, float],
+    u_ratio: float = 0.0,
+) -> Span:
     if not BASELINE_M.least <= span_m <= BASELINE_M.most:
         span_m = float(f"{span_m:.4g}")
         raise RigPassError("rig-pass-span", span_m=span_m, least=BASELINE_M.least, most=BASELINE_M.most)
-    return span_m
+    return Span(
+        name=of.name,
+        kind=kind,
+        distance_m=of.distance_m,
+        u_distance_m=of.u_distance_m,
+        span_m=span_m,
+        u_span_m=u_span_m,
+        u_ratio=u_ratio,
+        shared=shared,
+    )
 
 
 def _require_values(rig_pass: RigPass, kind: RigPassKind) -> None:

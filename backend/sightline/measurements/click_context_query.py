@@ -10,6 +10,7 @@ from sqlalchemy.orm import Session
 
 from sightline.enums import Category
 from sightline.geometry.sides import FoundSide, TrafficFacts, driver_side
+from sightline.infra.by_name import record_of
 from sightline.infra.database.rows import missing
 from sightline.measurements.tables import click_sigmas
 from sightline.poses.tables import road_poses
@@ -67,10 +68,7 @@ def click_context(
     Raises NotFound (also when the recording was deleted).
     """
     asked = {"of_recording": recording_id, "of_person": person_id, "of_vehicle": vehicle_id}
-    context = _context(session, _on_recording(), {**asked, "clicked": ()})
-    if context is None:
-        raise missing("recording", recording_id)
-    return context
+    return _context(session, _on_recording(), {**asked, "clicked": ()}, "recording", recording_id)
 
 
 def click_context_of_vehicle(
@@ -78,10 +76,7 @@ def click_context_of_vehicle(
 ) -> ClickContext:
     """`click_context` of a vehicle's recording. Raises NotFound (also when the vehicle was deleted)."""
     asked = {"of_person": person_id, "of_vehicle": vehicle_id, "clicked": frame_numbers}
-    context = _context(session, _on_vehicle(), asked)
-    if context is None:
-        raise missing("vehicle", vehicle_id)
-    return context
+    return _context(session, _on_vehicle(), asked, "vehicle", vehicle_id)
 
 
 # Made once: making a statement anew takes longer than the database does to answer it.
@@ -127,10 +122,12 @@ def _query() -> Select[Any]:
     )
 
 
-def _context(session: Session, query: Select[Any], asked: Mapping[str, Any]) -> ClickContext | None:
+def _context(
+    session: Session, query: Select[Any], asked: Mapping[str, Any], word: str, row_id: int
+) -> ClickContext:
     rows = session.execute(query, asked).all()
     if not rows:
-        return None
+        raise missing(word, row_id)
     row = rows[0]
     return context_of_row(
         row,
@@ -138,11 +135,7 @@ def _context(session: Session, query: Select[Any], asked: Mapping[str, Any]) -> 
         traffic_of_row(row._mapping),
         own_sigma_px=row.own_sigma_px,
         proposed=bool(row.proposed),
-        frames={
-            of.n: Frame(n=of.n, pts=of.pts, time_s=of.time_s, key=of.key, crc32=of.crc32)
-            for of in rows
-            if of.n is not None
-        },
+        frames={of.n: record_of(Frame, of._mapping) for of in rows if of.n is not None},
     )
 
 

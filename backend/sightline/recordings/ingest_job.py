@@ -23,7 +23,7 @@ from sightline.media.video.ingest import Ingested, ingest
 from sightline.media.video.remux import COPY_SUFFIXES
 from sightline.messages.said import Said
 from sightline.recordings import store as recordings
-from sightline.recordings.frames.records import FrameTable, lasting_s
+from sightline.recordings.frames.records import lasting_s
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.records import Facts, Recording
 
@@ -132,7 +132,7 @@ def run_ingest(context: JobContext) -> Finish:
                 recordings.change_fact(session, recording_id, "stream_number", number, actor=context.actor)
         working_copy = _keep_working_copy(services.media, recording, found)
         _keep_thumbnails(services.media, recording, Path(folder) / "thumbs", found)
-    facts, table = facts_of(found, working_copy), table_of(found)
+    facts, table = facts_of(found, working_copy), found.frames
 
     def finish(session: Session) -> Mapping[str, Any]:
         recordings.note_ingested(session, recording_id, facts, table, actor=context.actor)
@@ -148,7 +148,7 @@ def _require_same_pictures(services: Services, recording: Recording, found: Inge
     """Before the working copy is replaced: what was clicked on it must be on the new one, of twins too."""
     with services.reading() as session:
         for one in recordings.recordings_of_content(session, recording.sha256, _number(found)):
-            recordings.require_same_pictures(session, one, table_of(found))
+            recordings.require_same_pictures(session, one, found.frames)
 
 
 def _ingest_video(context: JobContext, path: Path, recording: Recording, folder: Path) -> Ingested:
@@ -270,12 +270,6 @@ def correct_durations(services: Services) -> None:
     for recording_id, duration_s in found.items():
         with services.writing() as session:
             recordings.change_fact(session, recording_id, "duration_s", duration_s, actor=None)
-
-
-def table_of(found: Ingested) -> FrameTable:
-    """The frame table as the storage room takes it."""
-    table = found.frames
-    return FrameTable(first=0, pts=table.pts, time_s=table.time_s, key=table.key, crc32=table.crc32)
 
 
 def remove_recording(services: Services, recording_id: int, actor: int) -> None:

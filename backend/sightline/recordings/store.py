@@ -15,6 +15,7 @@ from sightline.infra.audit.changing import take_out_along
 from sightline.infra.database.rows import add_row, change_row, get_row, is_held, name_of, named_table
 from sightline.infra.database.types import HOLDS, KEEPS_TIMES, columns_of, now
 from sightline.infra.jobs.store import latest_jobs_of_recordings
+from sightline.media.video.frame_table import FrameTable
 from sightline.messages.said import Said
 from sightline.recordings.drift import (
     DriftCheck,
@@ -24,7 +25,7 @@ from sightline.recordings.drift import (
     drift_figures,
     spans_told,
 )
-from sightline.recordings.frames.records import FrameTable, lasting_s
+from sightline.recordings.frames.records import lasting_s
 from sightline.recordings.frames.store import (
     change_times,
     frame_table_fingerprint,

@@ -534,9 +534,3 @@ def _told_apart(names: Mapping[int, str]) -> dict[int, str]:
     """Names of people; those who share one get their number."""
     often = Counter(names.values())
     return {id_: name if often[name] == 1 else f"{name} ({id_})" for id_, name in names.items()}
-
-
-def forget_statistics() -> None:
-    """Drop what is kept, as a new process would begin (for benches)."""
-    _compute_statistics.cache_clear()
-    _columns.cache_clear()

@@ -19,7 +19,7 @@ SURVEY_IDS: BindParameter[int] = bindparam("survey_ids", expanding=True)
 
 
 def scan_progress_of(session: Session, survey_ids: Sequence[int]) -> dict[int, ScanProgress]:
-    """The line scans of those surveys that have any, by survey."""
+    """The line scans of each of those surveys."""
     by_survey: defaultdict[int, Counter[str]] = defaultdict(Counter)
     asked, (there, motions, heights) = {SURVEY_IDS.key: survey_ids}, _queries()
     for survey_id, state, count in session.execute(there, asked):
@@ -29,7 +29,7 @@ def scan_progress_of(session: Session, survey_ids: Sequence[int]) -> dict[int, S
     if by_survey:
         for survey_id, verdict, count in session.execute(heights, asked):
             by_survey[survey_id].update({"heights": count, f"heights_{state_of('ok', verdict)}": count})
-    return {survey_id: _progress(counts) for survey_id, counts in by_survey.items()}
+    return {survey_id: _progress(by_survey[survey_id]) for survey_id in survey_ids}
 
 
 @cache
@@ -48,11 +48,6 @@ def _queries() -> tuple[Select[Any], Select[Any], Select[Any]]:
 _COUNTED = tuple(name for name in ScanProgress.__slots__ if name not in ("state", "summary"))
 
 
-def no_scans() -> ScanProgress:
-    """Of a survey without line scans."""
-    return ScanProgress("none", [Said("overview-no-scans")])
-
-
 def _count_states(states: Select[Any], *by: str) -> Select[Any]:
     """(survey, what they are told apart by, how many) of what stands in scans."""
     each = states.subquery()
@@ -66,6 +61,8 @@ def _count_states(states: Select[Any], *by: str) -> Select[Any]:
 
 
 def _progress(counts: Counter[str]) -> ScanProgress:
+    if not counts:
+        return ScanProgress("none", [Said("overview-no-scans")])
     of = {name: counts[name] for name in _COUNTED}
     open_work = _open(of, counts["failed"], counts["reading"])
     if open_work:

@@ -17,7 +17,7 @@ from sightline.infra.audit.changing import alter_row, change_since, make_rows, t
 from sightline.infra.database.rows import change_row, get_row, names, who
 from sightline.infra.jobs.store import latest_jobs_of_scans
 from sightline.linescan.parts import Rig
-from sightline.linescan.rig import at_lane, require_rig, rig_from
+from sightline.linescan.rig import CALIBRATED, at_lane, require_rig, rig_from
 from sightline.measurements.tables import measurement_series
 from sightline.messages.said import Said
 from sightline.recordings.tables import recordings
@@ -44,8 +44,6 @@ from sightline.surveys.tables import surveys
 
 #: The values of a rig, by name.
 RIG = tuple(one.name for one in fields(Rig))
-#: What a calibration of the rig gives; the correlation is that of these errors and goes with them.
-CALIBRATED = ("baseline_m", "u_baseline_m", "divergence_rad", "u_divergence_rad", "baseline_correlation")
 # What changes places with the cameras; a lane's direction is told by the camera that is reached first.
 _PAIRS = (
     ("cut_1_px", "cut_2_px"),

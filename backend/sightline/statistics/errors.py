@@ -253,20 +253,19 @@ def error_group(
         why = Said("stat-too-few-of-spread", count=n, needed=_LEAST_FOR_INTERVALS)
         ci95 = {**none_yet, "bias_m": total["bias_m"]}
         return ErrorGroup(n=n, figures=figures, ci95=ci95, reason=why, holds=holds, words=words)
+    if not np.ptp(error) > 0.0:
+        ci95 = {name: shares_ci95.get(name) for name in names}
+        holds = {name: holds[name] for name in names if ci95[name]}
+        why = Said("stat-errors-without-interval")
+        return ErrorGroup(n, figures, ci95, reason=why, holds=holds, words=words if holds else None)
     ci95 = dict.fromkeys(FIGURES)
-    if np.ptp(error) > 0.0 and not total.keys() >= set(names):
+    if not total.keys() >= set(names):
         ci95 = {
             name: Interval(float(low), float(high)) if np.isfinite([low, high]).all() else None
             for name, (low, high) in zip(FIGURES, _intervals(error, height), strict=True)
         }
-    ci95 |= shares_ci95
-    if np.ptp(error) > 0.0:
-        ci95 |= total
-        return ErrorGroup(n, figures, {name: ci95[name] for name in names}, holds=holds, words=words)
-    ci95 = {name: shares_ci95.get(name) for name in names}
-    holds = {name: holds[name] for name in names if ci95[name]}
-    why = Said("stat-errors-without-interval")
-    return ErrorGroup(n, figures, ci95, reason=why, holds=holds, words=words if holds else None)
+    ci95 |= shares_ci95 | total
+    return ErrorGroup(n, figures, {name: ci95[name] for name in names}, holds=holds, words=words)
 
 
 def _totals(

@@ -121,7 +121,7 @@ class StudyTables:
 
     def _cars(self) -> None:
         """Vehicles that count, each by its own survey; one without lighting has its recording's."""
-        self._db.execute(
+        self._execute(
             f"""
             CREATE TABLE cars AS
             SELECT CAST(v.file_index AS INTEGER) AS package, v.id, coalesce(c.code, -1) AS category,
@@ -135,12 +135,7 @@ class StudyTables:
             LEFT JOIN {self._sql("classes.csv")} k ON k.file_index = v.file_index AND k.category = v.category
             LEFT JOIN class_sets s ON s.word = k.class_set
             WHERE v.counts
-            """,
-            {
-                name: value
-                for name, value in self._places().items()
-                if name in ("vehicles", "recordings", "classes")
-            },
+            """
         )
 
     def _sql(self, table: str) -> str:
@@ -148,12 +143,14 @@ class StudyTables:
         rows = f"read_parquet(${table.removesuffix('.csv')}, union_by_name = true)"
         return f"(SELECT {', '.join(READ[table])}, file_index FROM {rows})"
 
-    def _places(self) -> dict[str, Any]:
-        return {name.removesuffix(".csv"): files for name, files in self._files.items()}
+    def _execute(self, query: str, **values: Any) -> duckdb.DuckDBPyConnection:
+        """With the files of the tables that a query names by `_sql`: DuckDB takes no others."""
+        files = {name.removesuffix(".csv"): files for name, files in self._files.items()}
+        used = {name: value for name, value in files.items() if f"${name}" in query}
+        return self._db.execute(query, {**used, **values})
 
     def _numbers(self, query: str, **values: Any) -> dict[str, NDArray[Any]]:
-        used = {name: files for name, files in self._places().items() if f"${name}" in query}
-        found: dict[str, NDArray[Any]] = self._db.execute(query, {**used, **values}).fetchnumpy()
+        found: dict[str, NDArray[Any]] = self._execute(query, **values).fetchnumpy()
         return found
 
 

@@ -52,11 +52,6 @@ INSETS: Table[InForce] = Table(
 )
 
 
-def insets_in_force(survey: Survey) -> list[InForce]:
-    """The survey's insets by target."""
-    return sorted(survey.insets.items())
-
-
 def insets_in(files: Files) -> dict[str, Inset]:
     """The insets of a package, by name."""
     return insets_of(

@@ -25,7 +25,7 @@ from sightline.infra.csv_package.schema import sha256_hex
 from sightline.infra.version import code_version
 from sightline.linescan.either_way import exact_at_camera_1
 from sightline.linescan.equations import ExactMotion, travelled_m
-from sightline.linescan.rig import baseline_at
+from sightline.linescan.rig import baseline_of, rig_from
 from sightline.media.images import image_size
 from sightline.messages import say
 from sightline.scans.vehicles.motion import crossings_of
@@ -277,17 +277,8 @@ def _budget(motion: Document) -> list[str]:
 def _ratio(rig: Document, source: str) -> float:
     if source == "clock":
         return float(rig["u_line_rate_ratio"])
-    baseline_m, u_baseline_m = _baseline(rig)
+    baseline_m, u_baseline_m = baseline_of(rig_from(rig))
     return u_baseline_m / baseline_m
-
-
-def _baseline(rig: Document) -> tuple[float, float]:
-    """At the vehicle, and its standard uncertainty."""
-    divergence = rig["divergence_rad"], rig["u_divergence_rad"]
-    away = rig["distance_m"] or 0.0, rig["u_distance_m"]
-    return baseline_at(
-        (rig["baseline_m"], rig["u_baseline_m"]), divergence, rig["baseline_correlation"], away
-    )
 
 
 def _lines(motion: Document) -> list[str]:
@@ -296,7 +287,7 @@ def _lines(motion: Document) -> list[str]:
     rear_1, front_2, rear_2 = (
         (motion[name] - start) / rate for name in ("rear_line_1", "front_line_2", "rear_line_2")
     )
-    baseline_m, _ = _baseline(motion["rig"])
+    baseline_m, _ = baseline_of(rig_from(motion["rig"]))
 
     def gone(seconds: float) -> float:
         return float(travelled_m(motion["speed_mps"], motion["acceleration_mps2"], seconds))

@@ -8,6 +8,7 @@ from typing import Protocol, TypeVar
 
 from sightline.enums import Category, ComputingCause, DriverSide, InsetSource, SideBasis, Target, Verdict
 from sightline.geometry.sides import FoundSide
+from sightline.infra.by_name import filled_from
 from sightline.measurements.height_of_clicks import filled_in, on_side
 from sightline.measurements.records import Clicks, MeasurementValues, ScanHeightValues
 from sightline.surveys.records import Inset
@@ -56,15 +57,8 @@ class Facts:
 
 def facts_of(content: Values | Clicks, pose_id: int) -> Facts:
     """Those of a stored content, or of clicks with everything filled in."""
-    return Facts(
-        pose_id=pose_id,
-        side=content.side,
-        side_from=content.side_from,
-        inset_m=content.inset_m,
-        u_inset_m=content.u_inset_m,
-        inset_from=content.inset_from,
-        solved=bool(content.more_frames),
-    )
+    solved = bool(content.more_frames)
+    return filled_from(Facts, content, pose_id=pose_id, side_from=content.side_from, solved=solved)
 
 
 def causes_of_facts(then: Facts, now: Facts) -> tuple[ComputingCause, ...]:

@@ -7,7 +7,6 @@ from pathlib import Path
 import numpy as np
 from av.container import InputContainer
 from av.video.stream import VideoStream
-from numpy.typing import NDArray
 
 from sightline.errors import BadInput
 from sightline.media.cancelling import Cancelled, Progress, Watch
@@ -25,6 +24,7 @@ from sightline.media.video.decode import (
     require_whole,
     video_stream,
 )
+from sightline.media.video.frame_table import FrameTable
 from sightline.media.video.picture import luma_crc
 from sightline.media.video.remux import WorkingCopy, make_copy, needs_copy
 from sightline.media.video.report import IngestReport, report_of, times_of_filming
@@ -33,29 +33,6 @@ from sightline.media.video.stated import Stated, stated_of
 from sightline.media.video.thumbnails import ROOM_BYTES, Thumbnail, ThumbnailWriter
 
 OTHER_SIZE_SHARE = 0.05
-
-
-@dataclass(frozen=True, eq=False)
-class FrameTable:
-    """Frame n is row n. `pts` in the stream's time base, `time_s` from the first frame, `crc32` of the
-    luma.
-
-    `pts` is what the file says. Decoders show frames in order, so where the file's time stamps are not in
-    order (AVI writes those of the packets), `time_s` holds the same times, sorted. Shapes (N,), dtypes int64,
-    float64, bool and uint32; not writeable.
-    """
-
-    pts: NDArray[np.int64]
-    time_s: NDArray[np.float64]
-    key: NDArray[np.bool_]
-    crc32: NDArray[np.uint32]
-
-    def __post_init__(self) -> None:
-        for array in (self.pts, self.time_s, self.key, self.crc32):
-            array.setflags(write=False)
-
-    def __len__(self) -> int:
-        return len(self.pts)
 
 
 @dataclass(frozen=True, eq=False)

@@ -35,7 +35,7 @@ def frames_between(
 ) -> list[PassFrame]:
     """Frames `first` to `last`, upright, as far as the video has them; `size_px`: width and height;
     `filmed_hz`: the rate of filming, where its times are not those of filming (`times_of_filming`). Times are
-    those of the frame table (`ingest.FrameTable`): the file's, sorted.
+    those of the frame table (`frame_table.FrameTable`): the file's, sorted.
 
     Raises BadInput for what is no video, one of another size, without times, or whose times are not those of
     filming.

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from sightline.infra.csv_package.columns import integer, key, number
 from sightline.infra.csv_package.schema import Table, ids_of
-from sightline.recordings.frames.records import FrameTable
+from sightline.media.video.frame_table import FrameTable
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""A frame, and the frame table of a recording."""
+"""A frame of a recording, and how long frames last."""
 
 from dataclasses import dataclass
 
@@ -13,20 +13,6 @@ class Frame:
     time_s: float
     key: bool
     crc32: int
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class FrameTable:
-    """Frames `first .. first + len - 1` of a recording, as read-only arrays of equal length."""
-
-    first: int
-    pts: npt.NDArray[np.int64]
-    time_s: npt.NDArray[np.float64]
-    key: npt.NDArray[np.bool_]
-    crc32: npt.NDArray[np.uint32]
-
-    def __len__(self) -> int:
-        return len(self.pts)
 
 
 def lasting_s(time_s: npt.NDArray[np.float64]) -> float:

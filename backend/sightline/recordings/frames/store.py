@@ -9,30 +9,26 @@ from sqlalchemy import bindparam, delete, select, update
 from sqlalchemy.orm import Session
 
 from sightline.errors import NotFound
-from sightline.recordings.frames.records import Frame, FrameTable
+from sightline.infra.by_name import record_of
+from sightline.media.video.frame_table import FrameTable
+from sightline.recordings.frames.records import Frame
 from sightline.recordings.frames.tables import frames
 
 _SQLITE_INSERT = 'INSERT INTO frames (recording_id, n, pts, time_s, "key", crc32) VALUES (?, ?, ?, ?, ?, ?)'
 _COPY = 'COPY frames (recording_id, n, pts, time_s, "key", crc32) FROM STDIN'
 
 
-def get_frame_table(
-    session: Session, recording_id: int, first: int = 0, count: int | None = None
-) -> FrameTable:
-    """Frames `first` to `first + count - 1`, as many as there are."""
-    wanted = select(frames.c.pts, frames.c.time_s, frames.c.key, frames.c.crc32).where(
-        frames.c.recording_id == recording_id, frames.c.n >= first
-    )
-    if count is not None:
-        wanted = wanted.where(frames.c.n < first + count)
-    rows = session.execute(wanted.order_by(frames.c.n)).all()
+def get_frame_table(session: Session, recording_id: int) -> FrameTable:
+    """The whole table; without rows where nothing was ingested."""
+    columns = (frames.c.pts, frames.c.time_s, frames.c.key, frames.c.crc32)
+    wanted = select(*columns).where(frames.c.recording_id == recording_id).order_by(frames.c.n)
+    rows = session.execute(wanted).all()
     pts, time_s, key, crc32 = zip(*rows, strict=True) if rows else ((), (), (), ())
     return FrameTable(
-        first=first,
-        pts=_fixed(pts, np.int64),
-        time_s=_fixed(time_s, np.float64),
-        key=_fixed(key, np.bool_),
-        crc32=_fixed(crc32, np.uint32),
+        pts=np.array(pts, np.int64),
+        time_s=np.array(time_s, np.float64),
+        key=np.array(key, np.bool_),
+        crc32=np.array(crc32, np.uint32),
     )
 
 
@@ -42,7 +38,7 @@ def get_frame(session: Session, recording_id: int, n: int) -> Frame:
     row = session.execute(query).one_or_none()
     if row is None:
         raise missing_frame(recording_id, n)
-    return Frame(n=row.n, pts=row.pts, time_s=row.time_s, key=row.key, crc32=row.crc32)
+    return record_of(Frame, row._mapping)
 
 
 def missing_frame(recording_id: int, n: int) -> NotFound:
@@ -54,7 +50,7 @@ def replace_frames(session: Session, recording_id: int, found: FrameTable) -> No
     """Put a recording's whole frame table in the place of the one before (one bulk statement)."""
     remove_frames(session, recording_id)
     columns = (found.pts.tolist(), found.time_s.tolist(), found.key.tolist(), found.crc32.tolist())
-    rows = [(recording_id, n, *values) for n, values in enumerate(zip(*columns, strict=True), found.first)]
+    rows = [(recording_id, n, *values) for n, values in enumerate(zip(*columns, strict=True))]
     if not rows:
         return
     connection = session.connection()
@@ -91,9 +87,3 @@ def frame_table_fingerprint(frame_table: FrameTable) -> str:
     for array, kind in kinds:
         digest.update(np.ascontiguousarray(array, dtype=kind).tobytes())
     return digest.hexdigest()
-
-
-def _fixed(values: Any, kind: Any) -> Any:
-    array = np.array(values, dtype=kind)
-    array.flags.writeable = False
-    return array

@@ -19,7 +19,7 @@ from sightline.results.overview.package_query import changes_since_packages
 from sightline.results.overview.records import ChangesSince, Step, SurveyCounts, SurveyOverview
 from sightline.results.sampling.query import pass_answers, with_answers
 from sightline.results.tables import exports
-from sightline.scans.progress_query import SURVEY_IDS, no_scans, scan_progress_of
+from sightline.scans.progress_query import SURVEY_IDS, scan_progress_of
 from sightline.scans.records import ScanProgress
 from sightline.surveys import store as surveys
 from sightline.surveys.records import Survey
@@ -67,7 +67,7 @@ def _overviews(session: Session, of: Sequence[Survey]) -> tuple[SurveyOverview, 
         for table in tables:
             facts.update(table.get(survey.id, {}))
         since_newest = since.get(facts.get("newest_export", 0))
-        overviews.append(_overview(survey, facts, scanned.get(survey.id, no_scans()), since_newest))
+        overviews.append(_overview(survey, facts, scanned[survey.id], since_newest))
     return tuple(overviews)
 
 

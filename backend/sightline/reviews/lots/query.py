@@ -153,11 +153,10 @@ def items_now(session: Session, lots_: Sequence[Lot]) -> dict[int, list[ItemNow]
     for row in session.execute(current):
         key = (row.lot_id, row.series_id)
         by_lot[row.lot_id].append(
-            ItemNow(
+            record_of(
+                ItemNow,
+                row._mapping,
                 measurement_id=row.series_id,
-                revision=row.revision,
-                place=row.place,
-                newest=row.newest,
                 gone=_reason_of_leaving(row.deleted_at is not None, row.withdrawn),
                 said=judgements.get(key, ()),
                 heights=heights.get(key, {}),

@@ -13,6 +13,7 @@ from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.infra.version import code_version
 from sightline.linescan.parts import Rig
+from sightline.linescan.rig import CALIBRATED
 from sightline.linescan.rig_calibration import Common, RigCalibration, RigPass, calibrate_rig, lane_baseline
 from sightline.scans.bodies import DistanceM, UDistanceM
 from sightline.scans.rig.passes_csv import read_rig_passes
@@ -25,7 +26,7 @@ from sightline.scans.rig.records import (
     StoredRigCalibration,
 )
 from sightline.scans.rig.store import append_rig_calibration, rig_calibration_history
-from sightline.scans.store import CALIBRATED, get_scan, update_scan
+from sightline.scans.store import get_scan, update_scan
 
 # Lengths are kept to the micrometre, which is what the CSV carries: an export computes to the same figures.
 LENGTH_DECIMALS = 6

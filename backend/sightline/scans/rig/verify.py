@@ -10,6 +10,7 @@ from sightline.errors import BadInput, Damaged
 from sightline.infra.csv_package.files import Files, read_rows
 from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.csv_package.schema import AnyTable
+from sightline.linescan.rig import CALIBRATED
 from sightline.linescan.rig_calibration import Common, RigPass
 from sightline.scans.heights.verify import LINES
 from sightline.scans.rig.calibrating import calibration_values, solve_passes
@@ -20,15 +21,7 @@ Row = Mapping[str, str]
 _TOLERANCE_M = 0.51e-6
 _CLOSE = 1e-6
 _COMMON = ("line_rate_hz", "u_line_rate_ratio", "u_tape_ratio", "u_speed_ratio")
-_FIGURES = (
-    "baseline_m",
-    "u_baseline_m",
-    "divergence_rad",
-    "u_divergence_rad",
-    "baseline_correlation",
-    "chi2",
-    "p_value",
-)
+_FIGURES = (*CALIBRATED, "chi2", "p_value")
 
 
 def check_rig_calibrations(

@@ -10,6 +10,7 @@ from sightline.scans.records import Scan
 from sightline.scans.statistics.heights import HeightSeen, ScannedHeights, scanned_heights
 from sightline.scans.statistics.service import (
     GAPS,
+    KNOWN_SIZES,
     MOTION,
     ScanStatistics,
     VehicleMotion,
@@ -87,12 +88,7 @@ def _motion_of_vehicle(scan: Scan, shown: ShownVehicle) -> VehicleMotion:
         measured=values is not None and values.status == "ok",
         lighting=vehicle.lighting or scan.lighting or "unknown",
         values={**({name: getattr(values, name) for name in MOTION} if values else {}), **gap},
-        known={
-            "length_m": vehicle.true_length_m,
-            "u_length_m": vehicle.u_true_length_m,
-            "wheelbase_m": vehicle.true_wheelbase_m,
-            "u_wheelbase_m": vehicle.u_true_wheelbase_m,
-        },
+        known={name: getattr(vehicle, column) for name, column in KNOWN_SIZES.items()},
         status=values.status if values else "not_measurable",
         reason=values.reason if values else None,
         filmed_at=_filmed_at(shown),

@@ -55,6 +55,13 @@ MOTION = (
     "fit_error_percent",
 )
 GAPS = ("time_gap_s", "distance_gap_m", "headway_s")
+#: What the maker says of it, and where a vehicle has that.
+KNOWN_SIZES = {
+    "length_m": "true_length_m",
+    "u_length_m": "u_true_length_m",
+    "wheelbase_m": "true_wheelbase_m",
+    "u_wheelbase_m": "u_true_wheelbase_m",
+}
 # What is distributed: of which value, and its unit.
 _QUANTITIES = {
     "speed": ("speed_mps", "m/s"),

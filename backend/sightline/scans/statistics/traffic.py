@@ -4,7 +4,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import partial
-from typing import Annotated, Protocol
+from typing import Annotated, Any, Protocol
 
 import numpy as np
 from pydantic import Field
@@ -24,6 +24,7 @@ PERCENTS = (15.0, 50.0, 85.0)
 _SHARED_S = 2.0
 #: And by so much at most it begins later, where what is in view then is what stood at the end.
 _NEXT_S = 0.1
+_OF_MOTION = ("speed_mps", "u_speed_mps", "length_m", "u_length_m")
 
 
 class Clock(Protocol):
@@ -302,29 +303,17 @@ def _stands_at_end(one: VehicleMotion, watched_s: float) -> bool:
 
 def _make_passed(vehicle: VehicleMotion, accepted_only: bool) -> Passed:
     assert vehicle.since_s is not None
-    if not counts(vehicle, accepted_only):
-        return Passed(
-            vehicle.since_s,
-            vehicle.occupied_s,
-            vehicle.u_filmed_at_s,
-            refused=not vehicle.measured,
-            stands=may_still_stand(vehicle.reason),
-            front_seen=vehicle.front_seen,
-            told_before=vehicle.told_before,
-        )
-    return Passed(
+    seen = Passed(
         vehicle.since_s,
         vehicle.occupied_s,
         vehicle.u_filmed_at_s,
-        speed_mps=vehicle.values.get("speed_mps"),
-        u_speed_mps=vehicle.values.get("u_speed_mps"),
-        length_m=vehicle.values.get("length_m"),
-        u_length_m=vehicle.values.get("u_length_m"),
-        rig_ratio=vehicle.rig_ratio,
-        axles=vehicle.axles,
         front_seen=vehicle.front_seen,
         told_before=vehicle.told_before,
     )
+    if not counts(vehicle, accepted_only):
+        return replace(seen, refused=not vehicle.measured, stands=may_still_stand(vehicle.reason))
+    of_motion: dict[str, Any] = {name: vehicle.values.get(name) for name in _OF_MOTION}
+    return replace(seen, **of_motion, rig_ratio=vehicle.rig_ratio, axles=vehicle.axles)
 
 
 def _into_hour_s(clock: Clock, since_s: float) -> float:

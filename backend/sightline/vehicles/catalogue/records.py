@@ -114,9 +114,7 @@ class ImportPlan:
 
 
 @dataclass(frozen=True)
-class Imported:
+class Imported(CatalogueImport):
     """What came of an import."""
 
-    added: int
-    updated: int
     plan: ImportPlan
