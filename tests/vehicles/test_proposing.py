@@ -260,7 +260,7 @@ def test_a_vehicle_measured_free_keeps_what_was_proposed_and_tells_nobody(
 ) -> None:
     of_plan(operator, admin, ground.survey_id, 2)
     wanted = clicks(1.2, frame=2)
-    ids = [int(add_vehicle(operator, ground.recording_id)["id"]) for _ in range(24)]
+    ids = [int(add_vehicle(operator, ground.recording_id)["id"]) for _ in range(40)]
     made = [
         proposal(one, point, wanted[of])
         for one in ids

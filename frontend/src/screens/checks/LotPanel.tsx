@@ -104,7 +104,6 @@ function Acts({ surveyId, shown, done }: Props) {
   };
   if (!may("reviewer")) return null;
   const doing = (one: Act, start = () => act(one)) => ({
-    says: `lots-${one}` as const,
     busy: busy === one,
     onClick: () => void start(),
   });
@@ -118,15 +117,16 @@ function Acts({ surveyId, shown, done }: Props) {
               <Button says="lots-judge" kind="primary" href={`/surveys/${surveyId}/review?lot=${lot.id}`} />
             )}
             <Button
+              says="lots-accept"
               {...doing("accept")}
               kind={progress.may_accept ? "primary" : undefined}
               disabled={!progress.may_accept}
             />
-            <Button {...doing("inspect", inspect)} />
-            {progress.judged === 0 && <Button {...doing("dissolve")} kind="quiet" />}
+            <Button says="lots-inspect" {...doing("inspect", inspect)} />
+            {progress.judged === 0 && <Button says="lots-dissolve" {...doing("dissolve")} kind="quiet" />}
           </>
         )}
-        {state === "accepted" && <Button {...doing("take-back")} icon="undo" />}
+        {state === "accepted" && <Button says="lots-take-back" {...doing("take-back")} icon="undo" />}
       </div>
       {state === "open" && progress.own > 0 && (
         <p class="small">{say("lots-own", { count: progress.own })}</p>
