@@ -92,12 +92,6 @@ def csv_text(
     return text.getvalue()
 
 
-def require_folder(output: Path | None) -> None:
-    """Raise BadInput before anything is computed for a file whose folder is not there."""
-    if output is not None and not output.parent.is_dir():
-        raise BadInput("commands-output-folder-missing", output=output)
-
-
 def write_json(path: Path, value: Any) -> None:
     """Write one JSON document, numbers at full precision."""
     write_whole(path, json.dumps(value, indent=1, allow_nan=False, default=in_words) + "\n")

@@ -12,7 +12,7 @@ from typing import Any
 
 import click
 
-from sightline.commands.files import require_folder, write_whole
+from sightline.commands.files import write_whole
 from sightline.commands.options import (
     FILE,
     choice_option,
@@ -75,7 +75,8 @@ def linescan(
     time of day at which its front reached camera 1 (columns front_at, u_front_at_s).
     """
     begun = start_of(start, u_start_s)
-    require_folder(output)
+    if output is not None and not output.parent.is_dir():
+        raise BadInput("commands-output-folder-missing", output=output)
     with (
         closing(_open_strip(first, time_axis)) as first_strip,
         closing(_open_strip(second, time_axis)) as second_strip,

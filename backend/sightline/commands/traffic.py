@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import csv
 import math
+import sys
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import asdict
 from datetime import date
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, TextIO
 
 import click
 
-from sightline.commands.files import csv_text, require_folder, write_whole
 from sightline.commands.options import json_option, number_option, print_json, tell
 from sightline.coverage import expanded
 from sightline.errors import BadInput
@@ -111,7 +114,6 @@ def remove(archive: Path, recording: str) -> None:
 @json_option
 def sites(archive: Path, as_json: bool) -> None:
     """List the contents of ARCHIVE by site and lane."""
-    from sightline.commands.scanned import cell_of
     from sightline.traffic.archive import require_archive
     from sightline.traffic.query import ArchiveTables
 
@@ -125,7 +127,7 @@ def sites(archive: Path, as_json: bool) -> None:
     if not rows:
         click.echo(f"{archive} is empty; add a recording with: sightline traffic add")
         return
-    click.echo(csv_text(list(rows[0]), rows, cell_of), nl=False)
+    _write(sys.stdout, list(rows[0]), rows)
 
 
 @traffic.command()
@@ -167,26 +169,21 @@ def flows(
     Vehicles that were seen but could not be measured count in the flow. Intervals without observation are
     omitted; partly observed ones are marked.
     """
-    from sightline.commands.scanned import cell_of
     from sightline.traffic.archive import require_archive
     from sightline.traffic.query import ArchiveTables, columns_of
 
     asked = _read_question(chosen, first, last, minutes, percents, limits)
     require_archive(archive)
     _check_sites(archive, chosen)
-    if not as_json:
-        require_folder(output)
     with ArchiveTables(archive) as tables:
-        rows = list(tables.intervals(asked))
-    if as_json:
-        print_json({"intervals": rows})
-        return
-    table = csv_text(columns_of(asked), rows, cell_of)
-    if output is None:
-        click.echo(table, nl=False)
-        return
-    write_whole(output, table)
-    click.echo(f"Written to {output}.")
+        rows = tables.intervals(asked)
+        if as_json:
+            print_json({"intervals": list(rows)})
+            return
+        with _target(output) as out:
+            _write(out, columns_of(asked), rows)
+    if output is not None:
+        click.echo(f"Written to {output}.")
 
 
 def _read_question(
@@ -228,3 +225,25 @@ def _check_sites(archive: Path, chosen: tuple[str, ...]) -> None:
     for site in chosen:
         if site not in there:
             raise BadInput("traffic-no-such-site", site=site, there=", ".join(there) or "-")
+
+
+@contextmanager
+def _target(output: Path | None) -> Iterator[TextIO]:
+    """Standard output, or a file that appears whole or not at all."""
+    from sightline.media.atomic import atomic_file
+
+    if output is None:
+        yield sys.stdout
+        return
+    if not output.parent.is_dir():
+        raise BadInput("commands-output-folder-missing", output=output)
+    with atomic_file(output) as part, part.open("w", encoding="utf-8", newline="") as file:
+        yield file
+
+
+def _write(out: TextIO, columns: list[str], rows: Iterable[dict[str, Any]]) -> None:
+    from sightline.commands.scanned import cell_of
+
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(columns)
+    writer.writerows([cell_of(row[name]) for name in columns] for row in rows)
