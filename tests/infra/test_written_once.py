@@ -365,6 +365,7 @@ def test_an_event_that_lacks_what_its_kind_holds_is_a_problem_like_others(
         ("order", "photograph", {"order": [999]}),
         ("order", "photograph", {}),
         ("sign", "checkpoint", {"at": "2026-05-04"}),
+        ("sign", "checkpoint", {"at": "2026-05-04", "ends": [], "root": root_of({})}),
         ("create", "lot", {}),
     ]
 

@@ -1,7 +1,7 @@
 """How many processor seconds the tests of each folder took, against `tests/budget.toml`.
 
-Seconds of the processor and not of the clock. On a slower or busy machine they are more, and so is the budget: by
-what a loop takes there after the tests.
+Seconds of the processor and not of the clock. On a slower or busy machine they are more, and so is the budget:
+by what a loop takes there after the tests.
 """
 
 import os
@@ -115,8 +115,8 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
     if "browser" in seconds:
         terminalreporter.write_line(CHROMIUM)
     for folder in over(seconds, budget):
-        words = f"{folder} took {seconds[folder]:.0f} s, {budget[folder]:.0f} s are its budget here ({slower:.2f} x)"
-        terminalreporter.write_line(f"WARNING: {words}", yellow=True)
+        words = f"{folder} took {seconds[folder]:.0f} s, {budget[folder]:.0f} s are its budget here"
+        terminalreporter.write_line(f"WARNING: {words} ({slower:.2f} x)", yellow=True)
 
 
 def slower_than_budgeted(loop: float) -> float:

@@ -257,7 +257,9 @@ def _too_few(shown: ShownInterval) -> list[str]:
 
 
 def _vehicle_rows(of: Results) -> Iterator[dict[str, Any]]:
-    """Each vehicle that counts here with its headway: from the front before, of its direction and lane."""
+    """Each vehicle but those that a stream or an archive says are of the recording before, with its headway:
+    from the front before, of its direction and lane.
+    """
     passings: list[tuple[float, float | None, VehicleMotion]] = []
     streams = streams_of(of.vehicles)
     for (way, _), stream in streams.items():

@@ -25,8 +25,8 @@ BEFORE_M = 0.10
 # bands on either side of the foremost one through which the parabola goes: some 14 cm of a bumper
 REACH = 3
 # bands on either side of its middle through which an upright line may go, with the foremost one in the middle
-# or as the second from above or from below; so many of them, and such a share, must agree with it, those
-# within so many of their standard deviations
+# or as the second from above or from below; so many must be there, of whom such a share agree with it: within
+# so many of their standard deviations
 UPRIGHT_REACHES, SIDES = (5, 8, 12, 18), (0, -1, 1)
 UPRIGHT_BANDS, UPRIGHT_SHARE, AGREES = 8, 0.7, 2.0
 # Neighbouring bands that may stand before such a line as a bumper: from so many to so many, beside so many at
@@ -291,7 +291,8 @@ def _end_of(x: NDArray[np.intp], y: Floats, s: Floats, uneven: Floats) -> _End:
     # a parabola must gain what its two more coefficients cost (Schwarz 1978)
     gain = costs[0] - costs[1] - 2 * log(len(y))
     is_round = c[2] > 1e-6
-    if is_round:
+    few = len(y) <= 2 * REACH + 1
+    if is_round and (gain >= 0 or few):
         vertex = float(np.clip(-c[1] / (2 * c[2]), place.min(), place.max()))
         foremost = _line_at(vertex, c, normal, max(1.0, strays), ROUND_GREY * grey, ROUND_SHAPE * float(c[2]))
     if gain >= 0:
@@ -301,7 +302,6 @@ def _end_of(x: NDArray[np.intp], y: Floats, s: Floats, uneven: Floats) -> _End:
             foremost = _line_at(tip, c, normal, max(1.0, strays), ROUND_GREY * grey)
         return _End(*foremost, False, inf)
     bend = max(float(c[2]), 0.0) + sqrt(max(1.0, strays) * float(np.linalg.pinv(normal)[2, 2]))
-    few = len(y) <= 2 * REACH + 1
     c, normal, strays = flat
     wider = 1 + FEW_STRAY * (max(1.0, strays) - 1) if few else USUAL_SHARE + (1 - USUAL_SHARE) * strays
     line = _line_at(0.0, c, normal, wider, FLAT_GREY * grey)

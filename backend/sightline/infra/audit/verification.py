@@ -95,15 +95,15 @@ def _holds_a_chain(engine: Engine) -> bool:
 class _Walk:
     """The state of a walk along the chains: what was checked and what the events promise.
 
-    `hashes`: of every event by chain, that of none first; `checkpoints`: the ends that each signed, and what
-    its event holds.
+    `hashes`: of every event by chain, that of none first; `checkpoints`: the ends that each signed,
+    when, and whether its signature holds.
     """
 
     def __init__(self) -> None:
         self.checked = 0
         self.head = root_of({})
         self.hashes: dict[str, list[str]] = {}
-        self.checkpoints: list[tuple[dict[str, AuditHead], dict[str, Any]]] = []
+        self.checkpoints: list[tuple[dict[str, AuditHead], str, bool]] = []
         self.promised: Promises = defaultdict(dict)
         self.fingerprints = fingerprints()
         self.marked = marked_tables()
@@ -124,8 +124,8 @@ class _Walk:
             try:
                 after = trail.object_of(row["after"]) or {}
                 self._note(Event(row["entity"], row["action"], row["entity_id"], row["survey_id"], after))
-            except (KeyError, TypeError, ValueError, AttributeError):
-                raise _Problem("audit-event-incomplete", number=row["number"], chain=row["chain"]) from None
+            except (KeyError, TypeError, ValueError, AttributeError) as error:
+                raise _Problem("audit-event-incomplete", number=row["number"], chain=row["chain"]) from error
         self.head = root_of(self.ends())
 
     def ends(self) -> dict[str, AuditHead]:
@@ -143,7 +143,8 @@ class _Walk:
             self._replay(event, self.replayed[event.entity])
         if (event.entity, event.action) == (CHECKPOINT, SIGN):
             ends = {name: AuditHead(count, hash_) for name, count, hash_ in event.after["ends"]}
-            self.checkpoints.append((ends, dict(event.after)))
+            signed = root_of(ends) == event.after["root"] and is_signed(event.after)
+            self.checkpoints.append((ends, event.after["at"], signed))
 
     @staticmethod
     def _replay(event: Event, records: dict[int, dict[str, Any]]) -> None:
@@ -177,12 +178,11 @@ def _chain_passed_through(walk: _Walk, chain: str, count: int, hash_: str) -> bo
 
 def _checkpoints(walk: _Walk) -> None:
     """Every checkpoint is signed, and each chain still goes through the end that was signed."""
-    for ends, checkpoint in walk.checkpoints:
-        signed = root_of(ends) == checkpoint.get("root") and is_signed(checkpoint)
+    for ends, at, signed in walk.checkpoints:
         if not signed or not all(
             _chain_passed_through(walk, name, end.count, end.hash) for name, end in ends.items()
         ):
-            raise _Problem("audit-chains-not-signed", at=checkpoint.get("at", ""))
+            raise _Problem("audit-chains-not-signed", at=at)
 
 
 def _check_rows(session: Session, walk: _Walk) -> None:
