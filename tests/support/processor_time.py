@@ -1,7 +1,7 @@
 """How many processor seconds the tests of each folder took, against `tests/budget.toml`.
 
-Seconds of the processor and not of the clock. On a slower or busy machine they are more, and so is the budget:
-by what a loop takes there after the tests.
+Seconds of the processor and not of the clock. On a slower or busy machine they are more, and so is the
+budget: by what a loop takes there after the tests.
 """
 
 import os
