@@ -165,12 +165,12 @@ def fit_foremost_edge(bands: Bands, view: Seen) -> Edge:
     return Edge(line, doubtful, hypot(u_lines, other))
 
 
-def _either(one: tuple[float, float], other: tuple[float, float], share: float) -> tuple[float, float]:
-    """Line and u of what is `one` (its line and u) with the probability `share`, else the `other`: mean and
-    standard deviation of both together (Hoeting et al. 1999).
+def _either(likely: tuple[float, float], other: tuple[float, float], share: float) -> tuple[float, float]:
+    """Line and u of what is `likely` (its line and u) with the probability `share`, else the `other`: mean
+    and standard deviation of both together (Hoeting et al. 1999).
     """
-    apart = one[0] - other[0]
-    variance = share * one[1] ** 2 + (1 - share) * other[1] ** 2 + share * (1 - share) * apart**2
+    apart = likely[0] - other[0]
+    variance = share * likely[1] ** 2 + (1 - share) * other[1] ** 2 + share * (1 - share) * apart**2
     return other[0] + share * apart, sqrt(variance)
 
 
