@@ -4,7 +4,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from .server import Server
-from .vehicles import click_at, draw_free, own_vehicle, put_proposals, until, whole_passes
+from .vehicles import click_at, draw_free, open_pass, own_vehicle, put_proposals, until, whole_passes
 
 
 @pytest.mark.usefixtures("kept")
@@ -23,7 +23,7 @@ def test_a_vehicle_measured_free_shows_no_proposal(page: Page, demonstration: Se
     until(page, free.vehicle["id"], lambda have: have.get("roof", {}).get("made") == "clicked")
     expect(page.get_by_test_id("snap")).to_have_count(0)
 
-    page.get_by_test_id(f"pass-{shown.vehicle['number']}").click()
+    open_pass(page, shown.vehicle["number"])
     expect(page.get_by_test_id("proposed-card-roof")).to_contain_text("±")
     page.keyboard.press("Enter")
     until(page, shown.vehicle["id"], lambda have: have.get("roof", {}).get("made") == "confirmed")

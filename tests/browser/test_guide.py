@@ -33,7 +33,7 @@ from .conftest import made_once
 from .server import ROOT, Server, start
 from .test_journey import go_to_frame
 from .test_languages import SHOWN, Catalogues
-from .vehicles import click_at, scene_truth, whole_frames
+from .vehicles import click_at, open_pass, scene_truth, whole_frames
 from .waits import NEVER_MS, wait_until
 
 LOCALES = {"en": "en-GB", "fr": "fr-FR"}
@@ -236,7 +236,7 @@ def measure(guide: Guide, server: Server) -> dict[str, float]:
         if whole_frames(one) and abs(vehicle["best_frame"] - one["best_frame"]) < 5
     )
     shown = whole_frames(truth)[0]
-    page.get_by_test_id(f"pass-{vehicle['number']}").click()
+    open_pass(page, vehicle["number"])
     go_to_frame(page, shown["frame"])
     found: dict[str, float] = {}
     for target, key in KEYS.items():

@@ -20,7 +20,7 @@ from sightline.demo.made import lab_images
 from .conftest import choose_plan
 from .picture import on_screen
 from .server import Server
-from .vehicles import OwnVehicle, own_vehicle, recording_of, scene_truth, whole_passes
+from .vehicles import OwnVehicle, open_pass, own_vehicle, recording_of, scene_truth, whole_passes
 
 TARGETS = {"roof": "1", "driver_eye": "2", "taillight": "3"}
 CLICK_NOISE_PX = 0.5
@@ -119,7 +119,7 @@ def click_pixel(page: Page, x: float, y: float) -> None:
 
 
 def measure(page: Page, one: OwnVehicle, rng: np.random.Generator) -> None:
-    page.get_by_test_id(f"pass-{one.vehicle['number']}").click()
+    open_pass(page, one.vehicle["number"])
     page.get_by_test_id("frame-box").fill(str(one.frame))
     page.get_by_test_id("frame-box").press("Enter")
     page.wait_for_url(re.compile(rf"[?&]frame={one.frame}\b"))

@@ -4,7 +4,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from .server import Server
-from .vehicles import TARGETS, click_at, own_vehicle, put_proposals, stored, until, whole_passes
+from .vehicles import TARGETS, click_at, open_pass, own_vehicle, put_proposals, stored, until, whole_passes
 
 pytestmark = pytest.mark.usefixtures("kept")
 
@@ -40,7 +40,7 @@ def test_proposals_are_confirmed_one_vehicle_after_the_other(page: Page, demonst
     )
 
     # one undo takes back what one key confirmed; Esc turns proposals down, and points are clicked by hand
-    page.get_by_test_id(f"pass-{second.vehicle['number']}").click()
+    open_pass(page, second.vehicle["number"])
     expect(page.get_by_test_id("proposed-card-roof")).to_contain_text("±")
     page.keyboard.press("Enter")
     until(page, second.vehicle["id"], lambda have: set(have) == {"roof", "taillight"})

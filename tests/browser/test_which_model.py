@@ -7,7 +7,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from .server import Server
-from .vehicles import TARGETS, click_at, own_vehicle, until, until_stored
+from .vehicles import TARGETS, click_at, open_pass, own_vehicle, until, until_stored
 from .waits import keep_toasts
 
 
@@ -95,7 +95,7 @@ def test_the_models_taken_last_are_taken_by_a_digit(page: Page, demonstration: S
     expect(make).to_have_value("Haldmann")
     assert page.evaluate("document.activeElement === document.body")
 
-    page.get_by_test_id(f"pass-{two.vehicle['number']}").click()
+    open_pass(page, two.vehicle["number"])
     expect(make).to_have_value("")
     expect(page.get_by_role("region", name="Recently used models")).to_contain_text("Haldmann T75")
     page.keyboard.press("7")  # there is no second one
@@ -129,7 +129,7 @@ def test_a_model_that_is_the_last_thing_asked_for_brings_the_next_vehicle(
     page.keyboard.press("6")
     expect(row).not_to_have_attribute("aria-current", "true")
     expect(page.locator(".toast", has_text="Haldmann T75")).to_be_visible()
-    row.click()
+    open_pass(page, one.vehicle["number"])
     expect(make).to_have_value("Haldmann")
     page.wait_for_url(re.compile(rf"vehicle={one.vehicle['id']}\b"))
     page.reload()

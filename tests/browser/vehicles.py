@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
-from playwright.sync_api import Page
+from playwright.sync_api import Page, expect
 from sqlalchemy import update
 
 from sightline.demo.made import TRUTH
@@ -173,3 +173,9 @@ def click_at(page: Page, pixel: Pixel) -> None:
     x, y = on_screen(page, pixel)
     page.mouse.move(x, y)
     page.mouse.click(x, y)
+
+
+def open_pass(page: Page, number: int) -> None:
+    """Clicks a pass in the list once the current one is in sight: the list scrolls a frame after it."""
+    expect(page.locator(".passes .pass[aria-current=true]")).to_be_in_viewport(ratio=0.9)
+    page.get_by_test_id(f"pass-{number}").click()
