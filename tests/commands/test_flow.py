@@ -352,7 +352,7 @@ def test_recordings_of_the_same_time_are_said_to_count_a_vehicle_in_each(
     first, next_one = shifted("a.json", 0.0), shifted("b.json", 679.0)
     assert notes(first, next_one) == []  # 1 s, which a start told by a person leaves open
     half = shifted("half.json", 340.0)
-    said = "a.json and half.json overlap for 340 s: a vehicle that both hold counts in each."
+    said = "a.json and half.json overlap for 340 s: a vehicle that both contain counts in each."
     assert notes(half, first) == [said]
     assert said in flow(capsys, first, half, "-o", tmp_path / "out.csv")
     assert notes(first, shifted("back.json", 340.0, direction="camera_2_first")) == []
@@ -360,8 +360,107 @@ def test_recordings_of_the_same_time_are_said_to_count_a_vehicle_in_each(
     assert notes(near, far) == [] and len(notes(first, near)) == 1
     bare = written(tmp_path / "vehicles.csv", ROWS)  # from its first front, 8 s after line 0, to its last
     assert notes(first, bare) == [
-        "a.json and vehicles.csv overlap for 662 s: a vehicle that both hold counts in each."
+        "a.json and vehicles.csv overlap for 662 s: a vehicle that both contain counts in each."
     ]
+
+
+RIG = Rig(0.5, RATE_HZ, 0.0005)
+
+
+def held(
+    path: Path, by_s: float, cars: Sequence[dict[str, Any]], rig: Rig = RIG, duration_s: float = 600.0
+) -> Path:
+    """A recording as the JSON of `linescan`, which begins so long after line 0."""
+    usual = {"direction": "camera_1_first", "lane": None, "speed_mps": None, "length_m": None}
+    told = [{**usual, "id": number, "status": "not_measurable", **car} for number, car in enumerate(cars, 1)]
+    start = (LINE_0 + timedelta(seconds=by_s)).isoformat()
+    path.write_text(
+        json.dumps(
+            {**about_rig(rig), "duration_s": duration_s, "start": start, "u_start_s": 0.1, "vehicles": told}
+        )
+    )
+    return path
+
+
+def passing(front_s: float) -> dict[str, Any]:
+    lines = {"front_line_1": RATE_HZ * front_s, "rear_line_1": RATE_HZ * (front_s + 0.2)}
+    moved = {"status": "ok", "reason": None, "speed_mps": 20.0, "length_m": 4.0}
+    return {**lines, **moved, "front_s": front_s, "rear_s": front_s + 0.2}
+
+
+STANDS = {"front_line_1": 2.5e6, "rear_line_1": None, "front_s": 500.0, "rear_s": None, "reason": str(STOOD)}
+IN_VIEW = {"front_line_1": 0.0, "rear_line_1": 4e4, "front_s": 0.0, "rear_s": 8.0, "reason": str(STOPPED)}
+
+
+def listed_and_counted(
+    capsys: pytest.CaptureFixture[str], *places: Path, minutes: int = 60
+) -> tuple[list[str], int]:
+    """The recordings that a vehicle is listed of, vehicle by vehicle, and how many the intervals count."""
+    told = json.loads(flow(capsys, *places, "--interval", str(minutes), "--json"))
+    return [one["recording"] for one in told["vehicles"]], sum(one["vehicles"] for one in told["intervals"])
+
+
+@pytest.mark.parametrize("kept", ["folder", "archive"])
+def test_who_stands_where_one_recording_goes_on_from_another_is_listed_once(
+    kept: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The intervals counted it once; the list had it twice."""
+    folder = tmp_path / "recordings"
+    folder.mkdir()
+    paths = [held(folder / "a.json", 0.0, [passing(10.0), STANDS])]
+    paths.append(held(folder / "b.json", 600.0, [IN_VIEW, passing(30.0)]))
+    place = folder
+    if kept == "archive":
+        place = tmp_path / "archive"
+        for number, path in enumerate(paths):
+            begun = LINE_0 + timedelta(seconds=600.0 * number)
+            add_recorded(place, read_recorded(path, None), Stood("Hill", "", "UTC", begun, 0.1))
+    listed, counted = listed_and_counted(capsys, place)
+    name = "Hill: {}.json" if kept == "archive" else "{}.json"
+    assert (listed, counted) == ([name.format(one) for one in "aab"], 3)
+
+
+@pytest.mark.parametrize("by_s", [0.0, 599.0, 600.0])
+def test_no_vehicle_of_another_rig_is_left_out(
+    by_s: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Two rigs of one survey: what is in view of the second is not what stood before the first."""
+    held(tmp_path / "a.json", 0.0, [passing(10.0), STANDS])
+    held(tmp_path / "b.json", by_s, [IN_VIEW, passing(30.0)], Rig(0.6, RATE_HZ, 0.0005))
+    assert listed_and_counted(capsys, tmp_path) == (["a.json"] * 2 + ["b.json"] * 2, 4)
+    assert not [one for one in json.loads(flow(capsys, tmp_path, "--json"))["notes"] if "overlap" in one]
+
+
+def test_no_vehicle_of_a_file_named_by_itself_is_left_out(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Each PLACE is computed alone: these may be of different roads."""
+    first = held(tmp_path / "a.json", 0.0, [passing(10.0), STANDS])
+    second = held(tmp_path / "b.json", 600.0, [IN_VIEW, passing(30.0)])
+    assert listed_and_counted(capsys, first, second) == (["a.json"] * 2 + ["b.json"] * 2, 4)
+
+
+@pytest.mark.parametrize("by_s", [300.0, 597.0])
+def test_the_later_of_two_that_overlap_keeps_its_vehicles(
+    by_s: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """By more than starts that people tell leave open: it watched that time too, and counts who came."""
+    held(tmp_path / "a.json", 0.0, [passing(10.0), STANDS])
+    held(tmp_path / "b.json", by_s, [IN_VIEW, passing(30.0)])
+    assert listed_and_counted(capsys, tmp_path) == (["a.json"] * 2 + ["b.json"] * 2, 4)
+
+
+def test_tables_count_alike_in_intervals_of_every_length(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """They do not say where they end: the second went on from the first at the end of its last hour alone."""
+    stood = {**vehicle(1, 900.0, 0.2, None, None, None), "rear_line_1": "", "reason": str(STOOD)}
+    written(tmp_path / "a.csv", [vehicle(2, 10.0, 0.2, 20.0, 4.0, 2), stood])
+    at_seven = {"front_at": "2026-05-04T07:00:00.000+02:00", "front_line_1": "0", "rear_line_1": "40000"}
+    in_view = {**vehicle(1, 3310.0, 8.0, None, None, None), **at_seven, "reason": str(STOPPED)}
+    written(tmp_path / "b.csv", [in_view, vehicle(2, 3340.0, 0.2, 20.0, 4.0, 2)])
+    counts = [listed_and_counted(capsys, tmp_path, minutes=minutes) for minutes in (1, 5, 15, 60)]
+    assert counts == 4 * [(["a.csv"] * 2 + ["b.csv"] * 2, 4)]
 
 
 def test_an_archive_agrees_with_its_own_figures(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -1,5 +1,6 @@
 """The start of a line scan is confirmed by a person; each vehicle then has a time of day with its u."""
 
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from math import hypot, sqrt
 
@@ -16,13 +17,13 @@ from tests.support import scans_samples
 from tests.support.app import Client
 
 pytestmark = pytest.mark.dialect
+SOURCE = (StripSource("a.tif", "aa/a.tif", "aa" * 32), StripSource("b.tif", "bb/b.tif", "bb" * 32))
 START = {"local": "2026-05-03T08:10:00.250", "time_zone": "Europe/Paris", "u_s": 0.5}
 
 
 @pytest.fixture
 def scan_id(services: Services, survey_id: int) -> int:
     """A line scan with a vehicle that crossed camera 1 at line 1000.25, and one without a motion."""
-    source = (StripSource("a.tif", "aa/a.tif", "aa" * 32), StripSource("b.tif", "bb/b.tif", "bb" * 32))
     later = {
         "front_line_1": 4882.8e4,
         "rear_line_1": 4.883e7,
@@ -35,7 +36,7 @@ def scan_id(services: Services, survey_id: int) -> int:
             session,
             survey_id,
             name="Gate",
-            source=source,
+            source=SOURCE,
             time_axis="width",
             rig=scans_samples.RIG,
             actor=None,
@@ -48,6 +49,38 @@ def scan_id(services: Services, survey_id: int) -> int:
             one = create_scan_vehicle(session, made.id, origin="found", actor=None)
             append_scan_measurement(session, one.id, values, actor=None)
     return made.id
+
+
+def test_the_page_is_told_which_line_scans_overlap(
+    operator: Client, viewer: Client, survey_id: int, scan_id: int, services: Services
+) -> None:
+    """`sightline flow` said so, of the same survey's package; Motion did not."""
+    rig = replace(scans_samples.RIG, baseline_m=scans_samples.RIG.baseline_m + 1.0)
+    with services.writing() as session:
+        for name, of in (("Gate again", scans_samples.RIG), ("Bridge", rig)):
+            made = create_scan(
+                session, survey_id, name=name, source=SOURCE, time_axis="width", rig=of, actor=None
+            )
+            facts = replace(scans_samples.facts(), first_sha256=name)
+            note_scan_read(session, made.id, facts, actor=None)
+            car = create_scan_vehicle(session, made.id, origin="found", actor=None)
+            append_scan_measurement(session, car.id, scans_samples.values(), actor=None)
+
+    def notes(query: str = "") -> list[str]:
+        told = viewer.seen(f"/surveys/{survey_id}/scan-traffic?minutes=60&{query}")["notes"]
+        assert {one["code"] for one in told} <= {"scans-traffic-overlap"}
+        return [one["message"] for one in told]
+
+    assert notes() == []
+    for scan in viewer.seen(f"/surveys/{survey_id}/scans"):
+        local = "2026-05-03T09:10:00.250" if scan["name"] == "Gate again" else START["local"]
+        body = {"version": scan["version"], "start": {**START, "local": local}}
+        assert operator.http.patch(f"/api/scans/{scan['id']}", json=body).status_code == 200
+    whole_s = scans_samples.facts().lines / scans_samples.RIG.line_rate_hz
+    said = "Gate and Gate again overlap for {} s: a vehicle that both contain counts in each."
+    assert notes() == [said.format(round(whole_s - 3600))]
+    assert notes("hour_from=10&hour_to=11") == [said.format(3600)]
+    assert notes("hour_to=9") == notes("filmed_from=2026-05-04") == []
 
 
 def test_a_confirmed_start_gives_each_vehicle_its_time(

@@ -1,17 +1,19 @@
 """Statistics of scanned vehicles: what counts, and errors without what is common to all."""
 
 from dataclasses import replace
-from datetime import UTC, datetime, timedelta
+from datetime import UTC, date, datetime, timedelta
 from math import hypot
+from typing import Any
 
 import numpy as np
 import pytest
 
 from sightline.linescan.parts import CUT, STOOD, STOPPED, Rig
 from sightline.linescan.rig import baseline_of
-from sightline.recordings.filming import Filming
+from sightline.messages.said import Said
+from sightline.recordings.filming import FilmedWithin, Filming
 from sightline.scans.statistics.service import VehicleMotion, statistics_of_seen, when_passed
-from sightline.scans.statistics.traffic import Watched, traffic_of_seen
+from sightline.scans.statistics.traffic import Watched, notes_of_overlaps, seen_in_each, traffic_of_seen
 
 pytestmark = pytest.mark.once
 
@@ -144,7 +146,7 @@ def test_the_recording_after_one_in_which_a_vehicle_still_stood_tells_no_occupan
         Watched(number, str(number), Filming(start + timedelta(seconds=at_s), "UTC"), 3600.0)
         for number, at_s in ((2, away_s), (1, 0.0))
     ]
-    found = traffic_of_seen(watched, [stands], 60, accepted_only=True)
+    found = traffic_of_seen(seen_in_each(watched, [stands]), 60, accepted_only=True)
     shown = {scan.name: [one.occupancy_percent.value for one in scan.intervals] for scan in found}
     assert set(shown["2"]) == {told} and shown["1"] == [None]
 
@@ -159,7 +161,7 @@ def test_who_stands_from_one_segment_to_the_next_is_counted_once(away_s: float, 
         Watched(number, str(number), Filming(start + timedelta(seconds=at_s), "UTC"), 3600.0)
         for number, at_s in ((1, 0.0), (2, away_s))
     ]
-    found = traffic_of_seen(watched, [stands, in_view], 60, accepted_only=True)
+    found = traffic_of_seen(seen_in_each(watched, [stands, in_view]), 60, accepted_only=True)
     assert sum(one.vehicles for scan in found for one in scan.intervals) == counted
 
 
@@ -175,7 +177,7 @@ def test_one_of_unknown_lane_that_stands_may_stand_in_any() -> None:
     after = Filming(datetime(2026, 5, 4, 12, 30, tzinfo=UTC), "UTC")
     watched = [Watched(1, "Hill", start, 1800.0), Watched(2, "next", after, 1800.0)]
     later = [replace(one, scan_id=2) for one in cars]
-    found = traffic_of_seen(watched, [*cars, stands, *later], 15, accepted_only=True)
+    found = traffic_of_seen(seen_in_each(watched, [*cars, stands, *later]), 15, accepted_only=True)
     told = {(scan.name, scan.lane): [one.occupancy_percent.value for one in scan.intervals] for scan in found}
     share = pytest.approx(100 * 0.5 / 900)
     assert told == {
@@ -187,11 +189,80 @@ def test_one_of_unknown_lane_that_stands_may_stand_in_any() -> None:
     }
 
 
+_TAPED, _NEAR, _OTHER = Rig(0.5, 8000.0, 0.002), Rig(0.503, 4000.0, 0.001), Rig(0.6, 8000.0, 0.002)
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "said"),
+    [
+        ({}, {}, True),
+        ({"rig": _TAPED}, {"rig": _NEAR}, True),  # as calibrated since, at another line rate
+        ({"rig": _TAPED}, {}, True),
+        ({"rig": _TAPED}, {"rig": _OTHER}, False),
+        ({"rig": _TAPED, "video": "7"}, {"rig": _OTHER, "video": "7"}, True),  # two cuts of one video
+        ({"site": "Hill", "video": "7"}, {"site": "Dale", "video": "7"}, False),
+        ({"site": "one.zip", "strip_sha256": "aa"}, {"site": "two.zip", "strip_sha256": "aa"}, True),
+    ],
+)
+def test_recordings_of_two_places_do_not_overlap(
+    first: dict[str, Any], second: dict[str, Any], said: bool
+) -> None:
+    """Nor does one go on from the other: who is in view of another rig is another vehicle."""
+    start = datetime(2026, 5, 4, 12, tzinfo=UTC)
+    stands = replace(seen(1), state="not_measurable", measured=False, reason=STOOD, since_s=100.0)
+    in_view = replace(stands, scan_id=2, since_s=0.0, occupied_s=5.0, front_seen=False, reason=STOPPED)
+
+    def notes_and_told(away_s: float) -> tuple[list[Said], list[bool]]:
+        starts = [Filming(start + timedelta(seconds=at_s), "UTC") for at_s in (0.0, away_s)]
+        watched = [
+            Watched(number, name, clock, 3600.0, **more)
+            for number, name, clock, more in zip((1, 2), "ab", starts, (first, second), strict=True)
+        ]
+        found = seen_in_each(watched, [stands, in_view])
+        return notes_of_overlaps(found), [car.told_before for each in found for car in each.vehicles]
+
+    note = Said("scans-traffic-overlap", earlier="a", later="b", seconds=600)
+    assert notes_and_told(3000.0) == ([note] if said else [], [False, False])
+    assert notes_and_told(3600.0) == ([], [False, said])
+
+
+@pytest.mark.parametrize(
+    ("filmed", "seconds"),
+    [
+        (FilmedWithin(), 7200),
+        (FilmedWithin(hour_from=7), 5400),  # from 06:30 to 08:30 by the clocks of the place
+        (FilmedWithin(hour_from=22, hour_to=7), 1800),
+        (FilmedWithin(filmed_from=date(2026, 5, 4), hour_to=8), 5400),
+        (FilmedWithin(hour_from=9), 0),
+        (FilmedWithin(filmed_from=date(2026, 5, 5)), 0),
+    ],
+)
+def test_an_overlap_is_of_the_days_and_hours_asked_for(filmed: FilmedWithin, seconds: int) -> None:
+    starts = [datetime(2026, 5, 4, hour, 30, tzinfo=UTC) for hour in (3, 4)]
+    watched = [
+        Watched(number, str(number), Filming(at, "Europe/Paris"), 3600.0 * (4 - number))
+        for number, at in enumerate(starts, 1)
+    ]
+    cars = [replace(seen(1), scan_id=number, since_s=10.0) for number in (1, 2)]
+    notes = notes_of_overlaps(seen_in_each(watched, cars, filmed))
+    assert [one.values["seconds"] for one in notes] == ([seconds] if seconds else [])
+
+
+def test_clocks_put_back_within_an_overlap_show_one_hour_twice() -> None:
+    """02:00 to 03:00 of 25 October 2026 came twice in Paris, and both are of those hours."""
+    clock = Filming(datetime(2026, 10, 24, 23, 20, tzinfo=UTC), "Europe/Paris")
+    watched = [Watched(number, str(number), clock, 4 * 3600.0) for number in (1, 2)]
+    cars = [replace(seen(1), scan_id=number, since_s=10.0) for number in (1, 2)]
+    asked = FilmedWithin(hour_from=2, hour_to=3)
+    (note,) = notes_of_overlaps(seen_in_each(watched, cars, asked))
+    assert note.values["seconds"] == 7200
+
+
 def test_vehicles_of_another_line_rate_have_no_traffic() -> None:
     """A rate that was corrected to half of it made the second half of the recording one without traffic."""
     start = Filming(datetime(2026, 5, 4, 12, tzinfo=UTC), "UTC")
     cars = [replace(seen(number), line_rate_hz=8000.0, since_s=900.0 * number) for number in (1, 2, 3)]
     for rate_hz, intervals in ((8000.0, 4), (4000.0, 0)):
-        watched = [Watched(1, "Hill", start, 3600.0 * 8000.0 / rate_hz, rate_hz)]
-        (scan,) = traffic_of_seen(watched, cars, 15, accepted_only=True)
+        watched = [Watched(1, "Hill", start, 3600.0 * 8000.0 / rate_hz, Rig(0.6, rate_hz))]
+        (scan,) = traffic_of_seen(seen_in_each(watched, cars), 15, accepted_only=True)
         assert len(scan.intervals) == intervals and (scan.reason is None) == (intervals > 0)

@@ -251,6 +251,36 @@ def test_traffic_is_counted_and_computed_again(package: Path, capsys: pytest.Cap
         check_statistics(FolderFiles(package), same_program=True)
 
 
+def test_flow_of_a_package_says_and_lists_what_its_intervals_hold(
+    package: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Overlaps within its days and hours; none of the vehicles that another line rate leaves uncounted."""
+
+    def told() -> tuple[list[str], int, int]:
+        assert main(["flow", str(package), "--interval", "60", "--json"]) == 0
+        found = json.loads(capsys.readouterr().out)
+        counted = sum(one["vehicles"] for one in found["intervals"])
+        return found["notes"], len(found["vehicles"]), counted
+
+    first, _ = rows(package, "line_scans")
+    (car,) = rows(package, "scan_vehicles")
+    later = {**first, "id": "2", "name": "later", "started_at": "2026-05-03T08:40:00.000+02:00"}
+    whole_s = int(first["lines"]) / float(first["line_rate_hz"])
+    rewrite(package, "line_scans.csv", [first, later])
+    rewrite(package, "scan_vehicles.csv", [car, {**car, "id": "2", "scan_id": "2"}])
+    said = f"{first['name']} and later overlap for {round(whole_s - 1800)} s: a vehicle that both contain "
+    assert told() == ([said + "counts in each."], 2, 2)
+    selection = package / "tables" / "selection.csv"
+    selection.write_text("by,word\r\nhour_to,9\r\n")
+    assert told() == ([said.replace(f"{round(whole_s - 1800)}", "1200") + "counts in each."], 2, 2)
+    selection.write_text("by,word\r\nfilmed_from,2026-05-04\r\n")
+    assert told() == ([], 0, 0)
+    selection.write_text("by,word\r\n")
+    rewrite(package, "line_scans.csv", [first, {**later, "line_rate_hz": "2441.4"}])
+    (note,), listed, counted = told()
+    assert (listed, counted) == (1, 1) and "another line rate" in note
+
+
 @pytest.mark.parametrize("chosen", [("category", "saloon"), ("lighting", "low_light")])
 def test_traffic_of_a_package_of_one_class_or_lighting_is_that_of_all_vehicles(
     package: Path,

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,17 +16,14 @@ from sightline.errors import BadInput
 from sightline.linescan.traffic import (
     LENGTH_LIMITS_M,
     MINUTES,
-    Stream,
     class_names,
     headways_s,
     strays_s,
-    streams_of,
 )
 
 if TYPE_CHECKING:
     from sightline.scans.statistics.service import VehicleMotion
-    from sightline.scans.statistics.traffic import ScanTraffic, ShownInterval, Watched
-    from sightline.traffic.results import Results
+    from sightline.scans.statistics.traffic import ScanTraffic, Seen, ShownInterval
 
 _FILE = click.Path(dir_okay=False, path_type=Path)
 _SCANS = "line_scans.csv"
@@ -55,20 +52,14 @@ def flow(
     vehicle counts for flow and occupancy, measured or not; speeds and classes cover the measured ones (in a
     package the accepted ones).
     """
+    from sightline.scans.statistics.traffic import notes_of_overlaps
+
     minutes = _minutes(lengths)
-    rows, vehicles, notes = list[dict[str, Any]](), list[dict[str, Any]](), list[str]()
-    watched = list[Seen]()
-    for place in places:
-        traffic, passed, said, seen = _of_place(place, minutes)
-        rows += [row for one in traffic for row in _rows_of_intervals(one)]
-        vehicles += passed
-        watched += seen
-        notes += said + [
-            f"{one.name}: {one.unplaced} vehicles were never measured and are in no interval."
-            for one in traffic
-            if one.minutes == minutes[0] and one.unplaced
-        ]
-    notes += _notes_of_shared_times(watched)
+    found = [_of_place(place, minutes) for place in places]
+    rows = [row for each in found for one in each.traffic for row in _rows_of_intervals(one)]
+    vehicles = [row for each in found for row in each.vehicles]
+    notes = [note for each in found for note in each.notes + _notes_of_unplaced(each.traffic, minutes[0])]
+    notes += map(str, notes_of_overlaps([seen for each in found for seen in each.seen]))
     if vehicles_csv is not None:
         write_whole(vehicles_csv, csv_text(VEHICLE_COLUMNS, vehicles, cell_of))
     table = csv_text(COLUMNS, rows, cell_of)
@@ -95,23 +86,28 @@ def _minutes(text: str) -> tuple[int, ...]:
     return lengths
 
 
-Rows = list[dict[str, Any]]
-#: A recording and the streams of its vehicles.
-Seen = tuple["Watched", Collection[Stream]]
-
-
-def _notes_of_shared_times(watched: Sequence[Seen]) -> list[str]:
-    from sightline.scans.statistics.traffic import shared_times
-
+def _notes_of_unplaced(traffic: Sequence[ScanTraffic], minutes: int) -> list[str]:
     return [
-        f"{earlier.name} and {later.name} overlap for {shared_s:.0f} s: a vehicle that both hold counts in "
-        "each."
-        for earlier, later, shared_s in shared_times(watched)
+        f"{one.name}: {one.unplaced} vehicles were never measured and are in no interval."
+        for one in traffic
+        if one.minutes == minutes and one.unplaced
     ]
 
 
-def _of_place(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], Rows, list[str], list[Seen]]:
+Rows = list[dict[str, Any]]
+
+
+@dataclass(frozen=True, eq=False)
+class OfPlace:
     """The traffic of a place, its vehicles, what is to be said of it, and its recordings."""
+
+    traffic: Sequence[ScanTraffic]
+    vehicles: Rows
+    notes: list[str]
+    seen: list[Seen]
+
+
+def _of_place(place: Path, minutes: Sequence[int]) -> OfPlace:
     from sightline.infra.csv_package.files import places_of
     from sightline.traffic.results import results_in, traffic_of
 
@@ -134,32 +130,26 @@ def _of_place(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], R
         for result in results
         if not result.u_start_told
     ]
-    seen: list[Seen] = [(result.watched(), streams_of(result.vehicles)) for result in results]
-    return traffic, [row for result in results for row in _vehicle_rows(result)], notes, seen
+    seen = [result.seen() for result in results]
+    return OfPlace(traffic, [row for each in seen for row in _vehicle_rows(each)], notes, seen)
 
 
-def _of_package(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], Rows, list[str], list[Seen]]:
+def _of_package(place: Path, minutes: Sequence[int]) -> OfPlace:
     from sightline.export.scans import scanned_motions
-    from sightline.export.traffic import scans_in, traffic_in
+    from sightline.export.traffic import seen_in, traffic_of_scans
     from sightline.infra.csv_package.files import open_package, place_of
-    from sightline.results.csv import selection_in
-    from sightline.traffic.results import Results
 
     files = open_package(place)
     if place_of(files, _SCANS) not in files.paths:
         raise BadInput("commands-flow-folder-empty", place=place)
-    cars, rows, filmed = list(scanned_motions(files)), Rows(), selection_in(files)
-    traffic = traffic_in(files, cars, minutes)
-    watched = list[Seen]()
-    for scan in scans_in(files):
-        of_scan = [one for one in cars if one.scan_id == scan.scan_id]
-        watched.append((replace(scan, site=str(place)), streams_of(of_scan)))
-        if scan.clock is not None:
-            own = tuple(one for one in of_scan if one.since_s is not None)
-            seen = _vehicle_rows(Results(scan.name, scan.clock, scan.watched_s, own))
-            rows += [row for row in seen if filmed.holds(row["front_at"])]
+    seen = [
+        replace(each, watched=replace(each.watched, site=str(place)))
+        for each in seen_in(files, list(scanned_motions(files)))
+    ]
+    traffic = traffic_of_scans(seen, minutes)
+    rows = [row for each in seen for row in _vehicle_rows(each) if each.filmed.holds(row["front_at"])]
     notes = {one.scan_id: f"{one.name}: {one.reason}" for one in traffic if one.reason}
-    return [one for one in traffic if not one.reason], rows, list(notes.values()), watched
+    return OfPlace([one for one in traffic if not one.reason], rows, list(notes.values()), seen)
 
 
 _CLASSES = tuple(f"length_{name.replace(' ', '_')}" for name in class_names(LENGTH_LIMITS_M))
@@ -256,22 +246,24 @@ def _too_few(shown: ShownInterval) -> list[str]:
     return [str(each.reason) for each in shown.percentiles if each.reason] if shown.measured else []
 
 
-def _vehicle_rows(of: Results) -> Iterator[dict[str, Any]]:
-    """Each vehicle but those that a stream or an archive says are of the recording before, with its headway:
-    from the front before, of its direction and lane.
+def _vehicle_rows(of: Seen) -> Iterator[dict[str, Any]]:
+    """Each vehicle that the intervals count, with its headway: from the front before, of its direction and
+    lane.
     """
-    passings: list[tuple[float, float | None, VehicleMotion]] = []
-    streams = streams_of(of.vehicles)
-    for (way, _), stream in streams.items():
-        fronts_s = [one.since_s or 0.0 for one in stream]
-        headways = headways_s(fronts_s, [one.front_seen for one in stream], strays_s(streams, way))
-        passings += zip(fronts_s, headways, stream, strict=True)
-    counted = [each for each in passings if not each[2].told_before]
-    for since_s, headway_s, vehicle in sorted(counted, key=lambda each: each[0]):
+    clock = of.watched.clock
+    passings: list[tuple[float, VehicleMotion, float | None]] = []
+    for (way, _), stream in of.counted.items():
+        placed = [(one.since_s, one) for one in stream if one.since_s is not None]
+        fronts_s = [since_s for since_s, _ in placed]
+        headways = headways_s(fronts_s, [one.front_seen for _, one in placed], strays_s(of.streams, way))
+        passings += [(*each, gap) for each, gap in zip(placed, headways, strict=True)]
+    for since_s, vehicle, headway_s in sorted(passings, key=lambda each: each[0]):
+        if clock is None or vehicle.told_before:
+            continue
         held = {
-            "recording": of.name,
+            "recording": of.watched.name,
             "id": vehicle.number,
-            "front_at": of.clock.at(since_s),
+            "front_at": clock.at(since_s),
             "u_front_at_s": vehicle.u_filmed_at_s,
             "headway_s": headway_s,
             "reason": vehicle.reason and str(vehicle.reason),

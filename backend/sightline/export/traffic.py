@@ -18,11 +18,20 @@ from sightline.infra.csv_package.columns import (
 from sightline.infra.csv_package.files import Files, read_rows, undo_safe_text
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.schema import CODE, Column, ids_of
+from sightline.linescan.parts import Rig
 from sightline.linescan.traffic import MINUTES, Figure, Interval
 from sightline.results.csv import selection_in
 from sightline.scans.clock import clock_of
 from sightline.scans.statistics.service import VehicleMotion
-from sightline.scans.statistics.traffic import PERCENTS, ScanTraffic, ShownInterval, Watched, traffic_of_seen
+from sightline.scans.statistics.traffic import (
+    PERCENTS,
+    ScanTraffic,
+    Seen,
+    ShownInterval,
+    Watched,
+    seen_in_each,
+    traffic_of_seen,
+)
 
 _WAY = text(
     "direction", "which camera its vehicles reached first", required=True, enum=get_args(ScanDirection)
@@ -134,21 +143,23 @@ def traffic_in(
 ) -> tuple[ScanTraffic, ...]:
     """The traffic of a package's line scans, `vehicles` all its vehicles; intervals of the first length
     first, of `lengths` in minutes.
-
-    Its days and hours alone limit it: without vehicles of other classes, flows and headways would be of an
-    emptier road.
     """
-    watched, filmed = scans_in(files), selection_in(files)
-    return tuple(
-        one
-        for minutes in lengths
-        for one in traffic_of_seen(watched, vehicles, minutes, accepted_only=True, filmed=filmed)
-    )
+    return traffic_of_scans(seen_in(files, vehicles), lengths)
 
 
-def scans_in(files: Files) -> list[Watched]:
-    """The line scans of a package."""
-    return [_watched(row) for row in read_rows(files, "line_scans.csv")]
+def traffic_of_scans(seen: Sequence[Seen], lengths: Sequence[int]) -> tuple[ScanTraffic, ...]:
+    """The same of line scans that were read."""
+    return tuple(one for minutes in lengths for one in traffic_of_seen(seen, minutes, accepted_only=True))
+
+
+def seen_in(files: Files, vehicles: Sequence[VehicleMotion]) -> list[Seen]:
+    """The line scans of a package with their vehicles, `vehicles` all of them.
+
+    Its days and hours alone limit their traffic: without vehicles of other classes, flows and headways would
+    be of an emptier road.
+    """
+    watched = [_watched(row) for row in read_rows(files, "line_scans.csv")]
+    return seen_in_each(watched, vehicles, selection_in(files))
 
 
 def _watched(row: Mapping[str, str]) -> Watched:
@@ -159,10 +170,15 @@ def _watched(row: Mapping[str, str]) -> Watched:
             "u_start_s": figure_of(row["u_start_s"]),
         }
     )
-    rate_hz = float(row["line_rate_hz"])
-    watched_s = int(row["lines"]) / rate_hz if row["lines"] else None
+    rig = Rig(float(row["baseline_m"]), float(row["line_rate_hz"]), float(row["u_baseline_m"]))
     return Watched(
-        int(row["id"]), undo_safe_text(row["name"]), clock.filming if clock else None, watched_s, rate_hz
+        scan_id=int(row["id"]),
+        name=undo_safe_text(row["name"]),
+        clock=clock.filming if clock else None,
+        watched_s=int(row["lines"]) / rig.line_rate_hz if row["lines"] else None,
+        rig=rig,
+        strip_sha256=row["first_sha256"],
+        video=row["recording_id"],
     )
 
 

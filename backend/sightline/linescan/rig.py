@@ -121,6 +121,14 @@ def lane_named(rig: Rig, name: str | None) -> Lane | None:
     return next((one for one in rig.lanes if one.name == name), None)
 
 
+def may_be_one_rig(first: Rig, second: Rig) -> bool:
+    """Whether two rigs may be one pair of cameras: their baselines agree within their combined U95. All else
+    of a rig may be set anew from one recording to the next.
+    """
+    apart_m = abs(first.baseline_m - second.baseline_m)
+    return apart_m <= COVERAGE_95 * hypot(first.u_baseline_m, second.u_baseline_m)
+
+
 def at_lane(rig: Rig, name: str | None, way: ScanDirection | None = None) -> Rig:
     """The rig with the distance of one lane, its u and its shadow zone; where the lane is not known, of all
     lanes that have the direction `way`.

@@ -25,7 +25,14 @@ from sightline.linescan.traffic import Stream
 from sightline.messages.said import Said
 from sightline.recordings.filming import Filming
 from sightline.scans.statistics.service import VehicleMotion
-from sightline.scans.statistics.traffic import Clock, ScanTraffic, Watched, traffic_of_seen
+from sightline.scans.statistics.traffic import (
+    Clock,
+    ScanTraffic,
+    Seen,
+    Watched,
+    mark_told_before,
+    traffic_of_seen,
+)
 from sightline.traffic.archive import WATCHED, require_archive, sites_of, watched_rows
 from sightline.traffic.records import Passing
 from sightline.traffic.sources import (
@@ -61,7 +68,8 @@ class StatedClock:
 @dataclass(frozen=True, eq=False)
 class Results:
     """The vehicles of one recording, from `clock`'s start on; `watched_s` None: it is not said how long;
-    `u_start_told`: whether the u of its start is known, without which its times of day have none.
+    `u_start_told`: whether the u of its start is known, without which its times of day have none; `rig` None:
+    not told.
     """
 
     name: str
@@ -70,44 +78,46 @@ class Results:
     vehicles: tuple[VehicleMotion, ...]
     site: str = ""
     u_start_told: bool = True
+    rig: Rig | None = None
 
-    def watched(self) -> Watched:
-        """How long it was watched for sure: up to its last vehicle where it is not said how long."""
+    def seen(self) -> Seen:
+        """What was watched for sure: up to its last vehicle where it is not said how long."""
         known_s = max((one.since_s or 0.0 for one in self.vehicles), default=None)
-        watched_s = known_s if self.watched_s is None else self.watched_s
-        return Watched(0, self.name, self.clock, watched_s, site=self.site)
+        return self._on_clock(self.clock, known_s if self.watched_s is None else self.watched_s, 0.0)
 
-    def seen(self, number: int, minutes: int) -> tuple[Watched, list[VehicleMotion]]:
-        """What was watched for intervals of `minutes`, as the recording of that number, and its vehicles."""
+    def seen_in_intervals(self, minutes: int) -> Seen:
+        """What was watched for intervals of `minutes`: whole ones where it is not said how long."""
         if self.watched_s is not None:
-            return self._watched_and_cars(number, self.clock, self.watched_s, 0.0)
+            return self.seen()
         start, long_s = datetime.fromisoformat(self.clock.at()), 60.0 * minutes
         before_s = (60 * start.minute + start.second + start.microsecond / 1e6) % long_s
         last_s = max(one.since_s or 0.0 for one in self.vehicles)
         whole_s = long_s * max(1, ceil((before_s + last_s + 1e-6) / long_s))
-        return self._watched_and_cars(
-            number, StatedClock(start - timedelta(seconds=before_s)), whole_s, before_s
-        )
+        return self._on_clock(StatedClock(start - timedelta(seconds=before_s)), whole_s, before_s)
 
-    def _watched_and_cars(
-        self, number: int, clock: Clock, watched_s: float, by_s: float
-    ) -> tuple[Watched, list[VehicleMotion]]:
-        cars = [replace(one, scan_id=number, since_s=(one.since_s or 0.0) + by_s) for one in self.vehicles]
-        return Watched(number, self.name, clock, watched_s, site=self.site), cars
+    def _on_clock(self, clock: Clock, watched_s: float | None, by_s: float) -> Seen:
+        cars = [replace(one, since_s=(one.since_s or 0.0) + by_s) for one in self.vehicles]
+        return Seen(Watched(0, self.name, clock, watched_s, rig=self.rig, site=self.site), cars)
 
 
 def traffic_of(results: Sequence[Results], minutes: int) -> tuple[ScanTraffic, ...]:
     """By recording, direction and lane, in intervals of `minutes`. Speeds need no review here."""
-    seen = [one.seen(number, minutes) for number, one in enumerate(results)]
-    cars = [car for _, found in seen for car in found]
-    return traffic_of_seen([watched for watched, _ in seen], cars, minutes, accepted_only=False)
+    return traffic_of_seen([one.seen_in_intervals(minutes) for one in results], minutes, accepted_only=False)
 
 
 def results_in(place: Path) -> tuple[list[Results], list[str]]:
-    """The recordings of a file, of a folder's files, or of an archive, and names of files that are none.
+    """The recordings of a file, of a folder's files, or of an archive, those vehicles `told_before` that
+    another of them counts; and names of files that are none.
 
     Raises BadInput: nothing there, or a recording that cannot be read or has no start.
     """
+    results, others = _recordings_in(place)
+    marked = mark_told_before([one.seen() for one in results])
+    told = [replace(one, vehicles=tuple(seen.vehicles)) for one, seen in zip(results, marked, strict=True)]
+    return told, others
+
+
+def _recordings_in(place: Path) -> tuple[list[Results], list[str]]:
     if not place.is_dir():
         return [_of_data(place, bytes_of(place))], []
     if (place / WATCHED).is_dir():
@@ -138,14 +148,11 @@ def _of_data(path: Path, data: bytes) -> Results:
         return Results(path.name, StatedClock(begun), None, _motions(passings), u_start_told=False)
     check_passings(path, passings, whole["duration_s"])
     u_start_s = u_told(whole, "u_start_s") or None
-    motions = _motions(
-        passings,
-        u_start_s=u_start_s,
-        u_rate=u_told(whole, "u_line_rate_ratio"),
-        rig=_rig_told(whole),
-    )
+    rig = _rig_told(whole)
+    motions = _motions(passings, u_start_s=u_start_s, u_rate=u_told(whole, "u_line_rate_ratio"), rig=rig)
     clock = StatedClock(_start(path, whole.get("start")))
-    return Results(path.name, clock, float(whole["duration_s"]), motions, u_start_told=u_start_s is not None)
+    watched_s, told = float(whole["duration_s"]), u_start_s is not None
+    return Results(path.name, clock, watched_s, motions, u_start_told=told, rig=rig)
 
 
 def _rig_told(whole: Mapping[str, Any]) -> Rig | None:

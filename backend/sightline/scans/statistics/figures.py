@@ -17,7 +17,7 @@ from sightline.scans.statistics.service import (
     statistics_of_seen,
     when_passed,
 )
-from sightline.scans.statistics.traffic import ScanTraffic, Watched, traffic_of_seen
+from sightline.scans.statistics.traffic import Seen, Watched, seen_in_each
 from sightline.scans.store import list_scans
 from sightline.scans.vehicles.listing import ShownVehicle, vehicles_of
 
@@ -34,22 +34,16 @@ def scan_statistics(
     return statistics_of_seen(found, accepted_only=accepted_only, filmed=filmed)
 
 
-def scan_traffic(
-    session: Session,
-    survey_id: int,
-    minutes: int,
-    *,
-    accepted_only: bool,
-    filmed: FilmedWithin = FilmedWithin(),
-) -> tuple[ScanTraffic, ...]:
-    """The traffic of a survey's line scans; speeds of unreviewed vehicles count where asked for."""
+def scans_seen(session: Session, survey_id: int, filmed: FilmedWithin = FilmedWithin()) -> list[Seen]:
+    """A survey's line scans with their vehicles, as their traffic is counted."""
     motions, watched = [], []
     for scan in list_scans(session, survey_id):
         motions += [_motion_of_vehicle(scan, one) for one in vehicles_of(session, scan.id)]
         watched_s = scan.lines and scan.lines / scan.rig.line_rate_hz
         clock = None if scan.clock is None else scan.clock.filming
-        watched.append(Watched(scan.id, scan.name, clock, watched_s, scan.rig.line_rate_hz))
-    return traffic_of_seen(watched, motions, minutes, accepted_only=accepted_only, filmed=filmed)
+        of = {"strip_sha256": scan.first_sha256 or "", "video": str(scan.recording_id or "")}
+        watched.append(Watched(scan.id, scan.name, clock, watched_s, rig=scan.rig, **of))
+    return seen_in_each(watched, motions, filmed)
 
 
 def scan_height_statistics(

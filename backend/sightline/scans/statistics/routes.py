@@ -23,11 +23,11 @@ from sightline.linescan.rig import RigEstimate
 from sightline.linescan.traffic import LENGTH_LIMITS_M, MINUTES
 from sightline.messages.said import Said
 from sightline.recordings.bodies import FilmedAsked
-from sightline.scans.statistics.figures import scan_height_statistics, scan_statistics, scan_traffic
+from sightline.scans.statistics.figures import scan_height_statistics, scan_statistics, scans_seen
 from sightline.scans.statistics.heights import ScannedHeights
 from sightline.scans.statistics.paper import TABLE_I, PaperCar
 from sightline.scans.statistics.service import ScanStatistics, Spread
-from sightline.scans.statistics.traffic import ScanTraffic
+from sightline.scans.statistics.traffic import ScanTraffic, notes_of_overlaps, traffic_of_seen
 
 router = APIRouter()
 NOTHING = Said("stat-no-value")
@@ -67,11 +67,14 @@ class ScanStatisticsBody(Out):
 
 @dataclass(frozen=True)
 class ScanFlows:
-    """`length_limits_m` part the length classes."""
+    """`length_limits_m` part the length classes; `notes`: which line scans overlap, so that a vehicle may
+    count in two.
+    """
 
     minutes: int
     length_limits_m: tuple[float, ...]
     scans: tuple[ScanTraffic, ...]
+    notes: list[Said]
 
 
 @router.get("/surveys/{survey_id}/scan-statistics")
@@ -110,5 +113,6 @@ def get_scan_traffic(
     """Flow, headways, speeds, occupancy and length classes per interval, by scan, direction and lane."""
     if minutes not in MINUTES:
         raise BadInput("scans-traffic-other-minutes", minutes=minutes)
-    found = scan_traffic(session, survey_id, minutes, accepted_only=accepted_only, filmed=filmed)
-    return ScanFlows(minutes, LENGTH_LIMITS_M, found)
+    seen = scans_seen(session, survey_id, filmed)
+    found = traffic_of_seen(seen, minutes, accepted_only=accepted_only)
+    return ScanFlows(minutes, LENGTH_LIMITS_M, found, notes_of_overlaps(seen))

@@ -1,9 +1,11 @@
 """Traffic of line scans by intervals, from the database or from a package: pure of where they are."""
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 from datetime import datetime
-from functools import partial
+from functools import cached_property, partial
+from itertools import pairwise
+from math import ceil
 from typing import Annotated, Any, Protocol
 
 import numpy as np
@@ -11,7 +13,8 @@ from pydantic import Field
 
 from sightline.enums import ScanDirection
 from sightline.infra.by_name import filled_from
-from sightline.linescan.parts import STANDS_S, may_still_stand, stands_at_end
+from sightline.linescan.parts import STANDS_S, Rig, may_still_stand, stands_at_end
+from sightline.linescan.rig import may_be_one_rig
 from sightline.linescan.traffic import Interval, Passed, Stream, intervals, strays_s, streams_of
 from sightline.messages.said import Said
 from sightline.recordings.filming import FilmedWithin
@@ -24,6 +27,8 @@ PERCENTS = (15.0, 50.0, 85.0)
 _SHARED_S = 2.0
 #: And by so much at most it begins later, where what is in view then is what stood at the end.
 _NEXT_S = 0.1
+#: The clocks of no place are put forward or back, nor do hours begin, at other times, seconds since 1970.
+_QUARTER_S = 900
 _OF_MOTION = ("speed_mps", "u_speed_mps", "length_m", "u_length_m")
 
 
@@ -37,15 +42,18 @@ class Clock(Protocol):
 @dataclass(frozen=True)
 class Watched:
     """A line scan as traffic sees it: its clock (None: the start is not confirmed), how long it is by its
-    line rate (None: lines are not counted), and at which of several places.
+    line rate (None: lines are not counted), its rig (None: not told), at which of several places it was, the
+    hash of camera 1's strip, and of which video of the place that was cut (empty: not told).
     """
 
     scan_id: int
     name: str
     clock: Clock | None
     watched_s: float | None
-    line_rate_hz: float | None = None
+    rig: Rig | None = None
     site: str = ""
+    strip_sha256: str = ""
+    video: str = ""
 
     @property
     def span_s(self) -> tuple[float, float] | None:
@@ -54,6 +62,48 @@ class Watched:
             return None
         begin_s = datetime.fromisoformat(self.clock.at()).timestamp()
         return begin_s, begin_s + self.watched_s
+
+    def may_see_the_road_of(self, other: "Watched") -> bool:
+        """Whether the same vehicles may pass both: of one strip or video they do; two rigs are two places."""
+        if self.strip_sha256 and self.strip_sha256 == other.strip_sha256:
+            return True
+        if self.site != other.site:
+            return False
+        if self.video and self.video == other.video:
+            return True
+        return self.rig is None or other.rig is None or may_be_one_rig(self.rig, other.rig)
+
+
+@dataclass(frozen=True, eq=False)
+class Seen:
+    """A recording and its vehicles; `filmed`: on which days and at which hours its traffic is asked for."""
+
+    watched: Watched
+    vehicles: Sequence[VehicleMotion]
+    filmed: FilmedWithin = field(default_factory=FilmedWithin)
+
+    @cached_property
+    def streams(self) -> dict[Stream, list[VehicleMotion]]:
+        """Its vehicles by direction and lane."""
+        return streams_of(self.vehicles)
+
+    @property
+    def counted(self) -> dict[Stream, list[VehicleMotion]]:
+        """Those of them whose traffic is counted."""
+        return {
+            stream: cars
+            for stream, cars in self.streams.items()
+            if cars and why_not_counted(self.watched, cars) is None
+        }
+
+
+def why_not_counted(scan: Watched, vehicles: Sequence[VehicleMotion]) -> Said | None:
+    """Why a line scan's vehicles of one direction and lane have no intervals."""
+    if scan.watched_s is None:
+        return Said("scans-traffic-not-read")
+    if scan.rig and any(one.line_rate_hz not in (None, scan.rig.line_rate_hz) for one in vehicles):
+        return Said("scans-traffic-other-rate")
+    return None if scan.clock else Said("scans-traffic-no-start")
 
 
 @dataclass(frozen=True)
@@ -115,64 +165,70 @@ class ScanTraffic:
     reason: Annotated[Said | None, Field(description="Why it has no intervals.")]
 
 
-def traffic_of_seen(
-    watched: Sequence[Watched],
-    vehicles: Sequence[VehicleMotion],
-    minutes: int,
-    *,
-    accepted_only: bool,
-    filmed: FilmedWithin = FilmedWithin(),
-) -> tuple[ScanTraffic, ...]:
+def seen_in_each(
+    watched: Sequence[Watched], vehicles: Sequence[VehicleMotion], filmed: FilmedWithin = FilmedWithin()
+) -> list[Seen]:
+    """The recordings with their vehicles; see `mark_told_before`."""
+    of_scan: dict[int, list[VehicleMotion]] = {one.scan_id: [] for one in watched}
+    for car in vehicles:
+        of_scan.get(car.scan_id, []).append(car)
+    return mark_told_before([Seen(one, of_scan[one.scan_id], filmed) for one in watched])
+
+
+def mark_told_before(seen: Sequence[Seen]) -> list[Seen]:
+    """The recordings with those vehicles `told_before` that count in another: where one stood when a
+    recording ended and the next one goes on at once, who is in view as that begins.
+    """
+    out = list[Seen]()
+    for each, ended in zip(seen, _stood_before(seen), strict=True):
+        goes_on = any(one.later_s <= _NEXT_S and one.stream not in one.gone for one in ended)
+        told = [replace(car, told_before=True) if not car.front_seen else car for car in each.vehicles]
+        out.append(replace(each, vehicles=told) if goes_on else each)
+    return out
+
+
+def traffic_of_seen(seen: Sequence[Seen], minutes: int, *, accepted_only: bool) -> tuple[ScanTraffic, ...]:
     """The traffic of each line scan, direction and lane, in the order given, in intervals of 1, 5, 15 or
     60 min.
 
     Directions and lanes that nobody was seen in have none; vehicles that were never measured are told with
     the first.
-    Every vehicle counts for flow and occupancy; its speed and length where its motion counts. Intervals are
-    those that begin within the days and hours `filmed`. Where one stood when a recording ended, the next one,
-    within a minute, tells no occupancy, and one in view where that goes on at once is not counted again.
+    Every vehicle counts for flow and occupancy but those told before; its speed and length where its motion
+    counts. Intervals are those that begin within the days and hours asked for. Where one stood when a
+    recording ended, the next one, within a minute, tells no occupancy.
     """
-    of_scan: dict[int, list[VehicleMotion]] = {one.scan_id: [] for one in watched}
-    for car in vehicles:
-        of_scan.get(car.scan_id, []).append(car)
-    streams = [streams_of(of_scan[one.scan_id]) for one in watched]
-    stood = _stood_before(watched, streams)
     out = []
-    for scan, by_stream, ended in zip(watched, streams, stood, strict=True):
-        goes_on = any(each.later_s <= _NEXT_S and each.stream not in each.gone for each in ended)
-        for stream, seen in by_stream.items():
-            before = any(_may_be_of(each.stream, stream) and stream not in each.gone for each in ended)
-            cars = [replace(car, told_before=True) if goes_on and not car.front_seen else car for car in seen]
+    for each, ended in zip(seen, _stood_before(seen), strict=True):
+        for stream, cars in each.streams.items():
+            before = any(_may_be_of(one.stream, stream) and stream not in one.gone for one in ended)
             strayed = [
                 car
-                for other, passed in by_stream.items()
+                for other, passed in each.streams.items()
                 if other != stream and _may_be_of(other, stream)
                 for car in passed
             ]
-            since_s = strays_s(by_stream, stream[0])
-            whole = _traffic(scan, cars, stream, minutes, accepted_only, before, strayed, since_s)
-            within = tuple(each for each in whole.intervals if filmed.holds(each.begins_at))
+            since_s = strays_s(each.streams, stream[0])
+            whole = _traffic(each.watched, cars, stream, minutes, accepted_only, before, strayed, since_s)
+            within = tuple(one for one in whole.intervals if each.filmed.holds(one.begins_at))
             out.append(replace(whole, intervals=within))
     return tuple(out)
 
 
-def _stood_before(
-    watched: Sequence[Watched], streams: Sequence[Mapping[Stream, Sequence[VehicleMotion]]]
-) -> list[list[_Stood]]:
+def _stood_before(seen: Sequence[Seen]) -> list[list[_Stood]]:
     """For each recording, who may have stood when one just before it ended. One that stands through a whole
     recording leaves no trace in it: it is taken to be gone from a stream once another of that has driven
     through, or was in view at line 0.
     """
-    found: list[list[_Stood]] = [[] for _ in watched]
-    stood = list[tuple[str, float, _Stood]]()
-    spans = [(span, at) for at, one in enumerate(watched) if (span := one.span_s) is not None]
+    found: list[list[_Stood]] = [[] for _ in seen]
+    stood = list[tuple[Watched, float, _Stood]]()
+    spans = [(span, at) for at, each in enumerate(seen) if (span := each.watched.span_s) is not None]
     for (begin_s, end_s), at in sorted(spans):
-        site, by_stream = watched[at].site, streams[at]
+        watched, by_stream = seen[at].watched, seen[at].streams
         stood = [one for one in stood if begin_s - one[1] <= STANDS_S]
         found[at] = [
             replace(one, later_s=begin_s - until_s)
             for other, until_s, one in stood
-            if other == site and begin_s - until_s >= -_SHARED_S
+            if begin_s - until_s >= -_SHARED_S and watched.may_see_the_road_of(other)
         ]
         in_view = {stream for stream, cars in by_stream.items() if not all(car.front_seen for car in cars)}
         driven = {stream for stream, cars in by_stream.items() if any(car.measured for car in cars)}
@@ -186,36 +242,55 @@ def _stood_before(
             for one in found[at]
             if one.stream not in in_view
         }
-        stood += [(site, end_s, one) for one in stand]
+        stood += [(watched, end_s, one) for one in stand]
     return found
 
 
-def shared_times(
-    seen: Sequence[tuple[Watched, Collection[Stream]]],
-) -> Iterator[tuple[Watched, Watched, float]]:
-    """Recordings of one site that saw one stream at the same time, by more than starts told by people leave
-    open: the earlier one, of several the one that shares most; the later one; the seconds that both watched.
-    A vehicle of that time is in both, and counts in each.
+def notes_of_overlaps(seen: Sequence[Seen]) -> list[Said]:
+    """Which recordings of one road saw one direction and lane at the same time, by more than starts told by
+    people leave open: of each the earlier one that it shares most with, and the seconds that the traffic is
+    asked for of both. A vehicle of that time is in both, and counts in each.
     """
-    spans = [(span, at) for at, (one, _) in enumerate(seen) if (span := one.span_s) is not None]
-    before = list[tuple[float, int]]()
+    notes, before = list[Said](), list[tuple[float, int]]()
+    spans = [(span, at) for at, each in enumerate(seen) if (span := each.watched.span_s) is not None]
     for (begin_s, end_s), at in sorted(spans):
+        later = seen[at]
         before = [one for one in before if one[0] - begin_s > _SHARED_S]
-        later, streams = seen[at]
         shared = [
-            (min(until_s, end_s) - begin_s, other)
+            (_asked_s(seen[other], later, begin_s, min(until_s, end_s)), other)
             for until_s, other in before
-            if seen[other][0].site == later.site and _is_shared(seen[other][1], streams)
+            if min(until_s, end_s) - begin_s > _SHARED_S and _is_shared(seen[other], later)
         ]
         shared_s, earlier = max(shared, key=lambda each: each[0], default=(0.0, at))
-        if shared_s > _SHARED_S:
-            yield seen[earlier][0], later, shared_s
+        if shared_s > 0:
+            seconds = max(1, round(shared_s))
+            names = seen[earlier].watched.name, later.watched.name
+            notes.append(Said("scans-traffic-overlap", earlier=names[0], later=names[1], seconds=seconds))
         before.append((end_s, at))
+    return notes
 
 
-def _is_shared(first: Collection[Stream], second: Collection[Stream]) -> bool:
-    """Whether a vehicle may be of a stream of each; of unknown lane it may be of any."""
-    return any(a[0] == b[0] and (a[1] == b[1] or None in (a[1], b[1])) for a in first for b in second)
+def _asked_s(first: Seen, second: Seen, from_s: float, until_s: float) -> float:
+    """How much of a time, seconds since 1970, lies in the days and hours that are asked for of both."""
+    limiting = [each for each in (first, second) if each.filmed.limits_time]
+    if not limiting:
+        return until_s - from_s
+    quarters = range(_QUARTER_S * int(from_s // _QUARTER_S + 1), ceil(until_s), _QUARTER_S)
+    parts: list[tuple[float, float]] = list(pairwise([from_s, *quarters, until_s]))
+    return sum((stop - at for at, stop in parts if all(_is_asked(each, at) for each in limiting)), start=0.0)
+
+
+def _is_asked(seen: Seen, at_s: float) -> bool:
+    clock, span_s = seen.watched.clock, seen.watched.span_s
+    assert clock is not None and span_s is not None
+    return seen.filmed.holds(clock.at(at_s - span_s[0]))
+
+
+def _is_shared(first: Seen, second: Seen) -> bool:
+    """Whether one vehicle may be in both; of unknown lane it may be in any."""
+    return first.watched.may_see_the_road_of(second.watched) and any(
+        a[0] == b[0] and (a[1] == b[1] or None in (a[1], b[1])) for a in first.counted for b in second.counted
+    )
 
 
 def _may_be_of(stream: Stream, lane: Stream) -> bool:
@@ -237,11 +312,7 @@ def _traffic(
 ) -> ScanTraffic:
     passed = [_make_passed(one, accepted_only) for one in vehicles if one.since_s is not None]
     unseen = [one for one in strayed if one.since_s is not None and one.occupied_s is None]
-    reason = None if scan.clock else Said("scans-traffic-no-start")
-    if scan.watched_s is None:
-        reason = Said("scans-traffic-not-read")
-    elif any(one.line_rate_hz not in (None, scan.line_rate_hz) for one in vehicles):
-        reason = Said("scans-traffic-other-rate")
+    reason = why_not_counted(scan, vehicles)
     return ScanTraffic(
         scan_id=scan.scan_id,
         name=scan.name,

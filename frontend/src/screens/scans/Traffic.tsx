@@ -9,6 +9,7 @@ import {
   Loaded,
   type Columns as Made,
   Notice,
+  Notices,
   Panel,
   Segments,
 } from "../../components";
@@ -52,6 +53,7 @@ export function Traffic({ surveyId, acceptedOnly, filmed }: Props) {
         />
       </header>
       <Loaded of={found} what={say("flows-loading")} />
+      <Notices of={found.data?.notes} kind="warning" />
       {found.data &&
         named(scans).map((scan) => (
           <OfScan key={placeOf(scan)} scan={scan} of={found.data as TrafficOfScans} surveyId={surveyId} />
