@@ -7,7 +7,7 @@ import cv2
 import numpy as np
 import pytest
 
-from sightline.linescan.direct import NO_ORDER, NO_TEXTURE, baseline_of, measure_direct
+from sightline.linescan.direct import NO_ORDER, NO_TEXTURE, _prepared, baseline_of, measure_direct
 from sightline.linescan.masks import Sheet, sample_sheet, shift_sheet
 from sightline.linescan.paper import measure_paper
 from sightline.linescan.parts import CUT, Crossings, Passage, Rig
@@ -91,6 +91,15 @@ def test_the_budget_lists_its_sources_and_sums_to_the_uncertainty():
     # the speed is that at the front's crossing, which is off by its share of the length's two ends
     by_front = abs(motion.acceleration_mps2) / motion.speed_mps * ends.u_length_m / np.sqrt(2)
     assert ends.u_speed_mps == pytest.approx(by_front) and ends.u_length_m > 0
+
+
+def test_what_takes_a_gain_and_an_offset_together_is_not_cut_by_a_cluster():
+    """Halves of a cell in two clusters err alike, where u takes clusters for independent."""
+    scene, _, _ = _prepared(passages()[0], RIG)
+    cells = len(np.unique(scene.cell))
+    assert len({len(np.unique(cluster)) for cluster in scene.clusters}) == len(scene.clusters) > 1
+    for cluster in scene.clusters:
+        assert len(np.unique(np.stack([scene.cell, cluster]), axis=1).T) == cells
 
 
 def test_a_baseline_off_by_a_per_cent_is_an_error_of_a_per_cent():

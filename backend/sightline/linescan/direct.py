@@ -38,8 +38,9 @@ FEWEST_POINTS = 150
 BLOCK_M = 0.10
 BLOCK_ROWS = 12
 CELL_M = 0.18
-# errors go together over some decimetres; one length alone would make u itself scatter more
-CLUSTERS_M = (0.30, 0.20, 0.45)
+# Errors go together over some decimetres; one length alone would make u itself scatter more. Whole cells:
+# what takes one gain and one offset errs as one, its halves in two clusters would not be independent.
+CELLS_A_CLUSTER = (2, 1, 3)
 PROFILE_M = 0.15
 UNLIKE_M = 0.05
 # by how much of the speed that the boundaries say the pictures may say another
@@ -55,7 +56,7 @@ class Scene:
     """What the registration works on: both sheets, the points, the clock, and what the points fall into.
 
     `block`: trusted or not as a whole; `cell`: has a gain and an offset of its own; `clusters`: whose errors
-    go together, for each of CLUSTERS_M. (n,) numbers each.
+    go together, for each of CELLS_A_CLUSTER. (n,) numbers each.
     """
 
     first: Sheet
@@ -149,8 +150,9 @@ def _prepared(passage: Passage, rig: Rig) -> tuple[Scene, State, Prior]:
     points = choose_points(first, inside, MOST_POINTS, noise)
     per_m = lines_per_m / step
     block = _blocks(points, BLOCK_M * per_m, BLOCK_ROWS)
-    cell = _blocks(points, CELL_M * per_m, int(np.clip(round(noise / 2.5), 1, 4)))
-    clusters = tuple(_blocks(points, size_m * per_m, ROWS + 1) for size_m in CLUSTERS_M)
+    cell_lines = _whole(CELL_M * per_m)
+    cell = _blocks(points, cell_lines, int(np.clip(round(noise / 2.5), 1, 4)))
+    clusters = tuple(_blocks(points, cells * cell_lines, ROWS + 1) for cells in CELLS_A_CLUSTER)
     prior = Prior()
     if rig.misalignment_px is not None:
         prior = Prior(rig.misalignment_px / band, max(rig.u_misalignment_px, 0.005) / band)
@@ -168,11 +170,15 @@ def _prepared(passage: Passage, rig: Rig) -> tuple[Scene, State, Prior]:
     return scene, State(course, prior.shift), prior
 
 
+def _whole(size: float) -> int:
+    return max(2, round(size))
+
+
 def _blocks(points: Points, size: float, rows: int) -> NDArray[np.intp]:
     """Numbers of the cells of size x rows in which the points lie; some numbers stay without a point."""
     if not len(points):
         return np.empty(0, np.intp)
-    column = points.place.astype(np.intp) // max(2, round(size))
+    column = points.place.astype(np.intp) // _whole(size)
     number = (column - column.min()) * (ROWS * 2 // rows + 2) + points.row.astype(np.intp) // rows
     return np.asarray(number, np.intp)
 
