@@ -7,11 +7,14 @@ import cv2
 import numpy as np
 import pytest
 
+from sightline.linescan import direct
 from sightline.linescan.direct import NO_ORDER, NO_TEXTURE, _prepared, baseline_of, measure_direct
 from sightline.linescan.masks import Sheet, sample_sheet, shift_sheet
 from sightline.linescan.paper import measure_paper
 from sightline.linescan.parts import CUT, Crossings, Passage, Rig
+from sightline.linescan.registration import register
 from sightline.linescan.warp import Course, solved_by_boundaries
+from sightline.messages.said import Said
 from tests.linescan.scenes import RIG, SITE, cars, found, plain_found, plain_truth
 from tests.simulation.scan_strips import strips
 from tests.simulation.scan_traffic import ScanSite, ScanVehicle, truths
@@ -62,6 +65,19 @@ def test_noise_of_8_grey_values_and_256_rows():
     assert len(found_passages) == 1
     assert motion.speed_mps == pytest.approx(car.speed_mps, rel=0.0024)
     assert motion.misalignment_px == pytest.approx(-0.5, abs=0.1)
+
+
+def test_only_a_motion_that_its_last_round_moved_beyond_its_uncertainty_is_said_not_to_have_converged(
+    monkeypatch,
+):
+    site = ScanSite(rows=256, read_noise_dn=8.0, seed=9)
+    fast = [replace(car, front_s=0.6, speed_mps=40.0) for car in cars()[:3]]
+    fast = [found(strips(site, (car,)))[0][0] for car in fast]
+    said = Said("scan-motion-not-converged")
+    assert [said in measure_direct(one, RIG).warnings for one in fast] == [False] * 3
+    rounds = {"most_rounds": 1}
+    monkeypatch.setattr(direct, "register", lambda *args, **_: register(*args[:9], **rounds))
+    assert said in measure_direct(fast[0], RIG).warnings
 
 
 def test_speed_and_acceleration_are_correlated_by_the_fit_and_by_the_baseline():

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.arrays import Floats
-from sightline.linescan.budget import budget_of
+from sightline.linescan.budget import Budget, budget_of
 from sightline.linescan.finding import too_few_lines
 from sightline.linescan.masks import (
     ROWS,
@@ -46,6 +46,8 @@ UNLIKE_M = 0.05
 # by how much of the speed that the boundaries say the pictures may say another
 MOST_MOVED = 0.25
 MOST_SATURATED = 0.03
+# of a motion's u, by how much its last round may have moved it: U95 is then the same to half a per cent
+SETTLED = 0.1
 NO_TEXTURE = Said("scan-motion-no-texture")
 NO_MATCH = Said("scan-motion-no-match")
 NO_ORDER = Said("scan-motion-no-order")
@@ -256,7 +258,7 @@ def _answer(passage: Passage, rig: Rig, scene: Scene, prior: Prior, whole: Fit, 
         gain=fit.state.gain,
         budget=budget.entries,
         profile=profile,
-        warnings=_warnings(passage, fit, budget.apart_m),
+        warnings=_warnings(passage, _has_settled(fit, budget), budget.apart_m),
         correlation=budget.correlation,
     )
 
@@ -275,10 +277,19 @@ def _u_shift(scene: Scene, prior: Prior, whole: Fit) -> float:
     return float(np.sqrt(variance))
 
 
-def _warnings(passage: Passage, fit: Fit, apart_m: float) -> tuple[Said, ...]:
+def _has_settled(fit: Fit, budget: Budget) -> bool:
+    """Whether the last round moved speed and acceleration by less than their uncertainties would notice."""
+    speed_mps, acceleration_mps2 = np.abs(fit.last_step[:2]).tolist()
+    return bool(
+        speed_mps <= SETTLED * budget.u_speed_mps
+        and acceleration_mps2 <= SETTLED * budget.u_acceleration_mps2
+    )
+
+
+def _warnings(passage: Passage, has_settled: bool, apart_m: float) -> tuple[Said, ...]:
     """What a person should look at before believing the numbers."""
     warnings = []
-    if not fit.settled:
+    if not has_settled:
         warnings.append(Said("scan-motion-not-converged"))
     if apart_m > UNLIKE_M:
         warnings.append(Said("scan-motion-cameras-disagree", apart_cm=round(100 * apart_m)))

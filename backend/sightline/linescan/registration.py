@@ -72,14 +72,16 @@ class Look:
 
 @dataclass(frozen=True, eq=False)
 class Fit:
-    """The end: state, last look, weights (n,), normal matrix (5, 5), scale of residuals."""
+    """The end: state, last look, weights (n,), normal matrix (5, 5), scale of residuals, and the last step
+    (5,) of its unknowns.
+    """
 
     state: State
     look: Look
     weight: Floats
     normal: Floats
     scale_dn: float
-    settled: bool
+    last_step: Floats
 
 
 def look(first: Sheet, second: Sheet, points: Points, clock: Clock, state: State) -> Look:
@@ -177,7 +179,7 @@ def register(
         small = abs(step[0]) < SETTLED * state.course.speed_mps and bool((np.abs(step[1:3]) < 2e-3).all())
         # the last look is one small step behind the state, which no uncertainty would notice
         state = apply_step(state, step)
-        fit = Fit(state=state, look=observed, weight=weight, normal=normal, scale_dn=scale, settled=small)
+        fit = Fit(state=state, look=observed, weight=weight, normal=normal, scale_dn=scale, last_step=step)
         if small:
             break
     assert fit is not None
