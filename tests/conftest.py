@@ -74,8 +74,9 @@ def pytest_collection(session: pytest.Session) -> None:
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_runtestloop() -> None:
-    """What is imported by now stays to the end: the collector need not go through it again and again."""
-    gc.collect()
+    """What is imported by now stays to the end: the collector need not go through it again and again, nor
+    once for the little that it would find (half a second of each worker).
+    """
     gc.freeze()
     gc.set_threshold(20_000, 20, 20)
     gc.enable()
