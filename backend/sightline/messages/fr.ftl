@@ -2999,7 +2999,7 @@ scan-wish-nothing-known = aucune
 
 ## Mouvement : ce que disent ensemble les balayages d’un relevé
 
-motion-lead = Vitesses, intervalles et longueurs de tous les balayages de ce relevé, et accord avec les longueurs et empattements connus.
+motion-lead = Trafic, vitesses, intervalles, longueurs et hauteurs de tous les balayages de ce relevé, et accord avec les longueurs connues et les vitesses de référence.
 motion-loading = statistiques
 motion-which = Véhicules pris en compte
 motion-which-accepted = Validés
@@ -3038,6 +3038,7 @@ motion-left-not_measurable = { $count ->
     [one] { NUMBER($count) } n’est pas mesurable
    *[other] { NUMBER($count) } ne sont pas mesurables
 }
+motion-heights = Hauteurs des véhicules balayés
 motion-heights-target = Cible
 motion-heights-mean = Moyenne
 motion-heights-sd = Écart-type

@@ -10,13 +10,13 @@ export function ScannedHeights({ heights }: { heights: ScanStatistics["heights"]
   const waiting = heights.reduce((sum, one) => sum + one.to_review, 0);
   return (
     <Panel
-      says="scan-heights"
+      says="motion-heights"
       aside={
         waiting > 0 && <span class="muted small">{say("motion-heights-waiting", { count: waiting })}</span>
       }
     >
       <DataTable
-        label={say("scan-heights")}
+        label={say("motion-heights")}
         class="table--dense"
         data-testid="scanned-heights"
         rows={heights}
