@@ -2327,9 +2327,18 @@ scans-count-vehicles = { $count ->
    *[other] { NUMBER($count) } véhicules
 }
 scans-count-to-review = { NUMBER($count) } à vérifier
-scans-count-accepted = validés : { NUMBER($count) }
-scans-count-rejected = rejetés : { NUMBER($count) }
-scans-count-not-measurable = non mesurables : { NUMBER($count) }
+scans-count-accepted = { $count ->
+    [one] { NUMBER($count) } validé
+   *[other] { NUMBER($count) } validés
+}
+scans-count-rejected = { $count ->
+    [one] { NUMBER($count) } rejeté
+   *[other] { NUMBER($count) } rejetés
+}
+scans-count-not-measurable = { $count ->
+    [one] { NUMBER($count) } non mesurable
+   *[other] { NUMBER($count) } non mesurables
+}
 scans-count-heights = { $count ->
     [one] { NUMBER($count) } hauteur
    *[other] { NUMBER($count) } hauteurs
