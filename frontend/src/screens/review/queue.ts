@@ -62,10 +62,8 @@ export class ReviewQueue {
 
   /** A measurement as it stands; one of another state, which this list does not show, from the server, before the list. */
   async bring(id: number): Promise<ReviewItem | undefined> {
-    if (!this.find(id)) {
-      const alone = await this.read({ measurement: id, state: "all" });
-      this.items.value = [...alone, ...(this.items.value ?? [])];
-    }
+    const alone = this.find(id) ? [] : await this.read({ measurement: id, state: "all" });
+    this.items.value = [...alone, ...(this.items.value ?? [])];
     return this.find(id);
   }
 
