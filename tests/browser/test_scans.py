@@ -344,18 +344,22 @@ def test_traffic_by_the_clock_stands_below_the_results(
     traffic.screenshot(path=screenshots / "scan-traffic-1024.png")
 
 
-def test_errors_of_motion_lead_with_the_speed_and_stand_on_one_line(
+def test_motion_leads_with_the_traffic_and_says_nothing_twice(
     page: Page, scan: dict[str, Any], screenshots: Path
 ) -> None:
-    """Speed, length, wheelbase: what a study asks for first; no quantity breaks in two at 1024 px."""
+    """Traffic, lengths, reference speeds, heights; no quantity breaks in two at 1024 px."""
     page.set_viewport_size({"width": 1024, "height": 768})
     page.goto(f"/surveys/{scan['survey_id']}/scans/results")
     speeds, sizes = page.get_by_test_id("scan-reference-errors"), page.get_by_test_id("scan-errors")
-    expect(sizes).to_contain_text("Wheelbase, daytime")
+    parts = ["scan-traffic", "figure-scan-speed", "scan-errors", "scan-reference-errors", "scanned-heights"]
+    for part in parts:
+        expect(page.get_by_test_id(part)).to_be_visible()
+    tops = [page.get_by_test_id(part).evaluate("it => it.getBoundingClientRect().top") for part in parts]
+    assert tops == sorted(tops)
+    # one source of speeds, all by day: what is said of all together would say the same row once more
     rows = page.get_by_role("row").filter(has_text=re.compile("^(Speed|Length|Wheelbase), "))
-    told = [name.split(",")[0] for name in rows.all_inner_texts()]
-    assert told[0] == "Speed"
-    assert told == sorted(told, key=["Speed", "Length", "Wheelbase"].index), told
+    told = [re.split(r"\s*\t", name)[0] for name in rows.all_inner_texts()]
+    assert told == ["Length, overall", "Wheelbase, overall", "Speed, radar"]
     speeds.scroll_into_view_if_needed()
     page.screenshot(path=screenshots / "scan-errors-1024.png")
     line = "it => parseFloat(getComputedStyle(it).lineHeight)"

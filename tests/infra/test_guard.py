@@ -282,6 +282,14 @@ def test_a_browser_at_an_unknown_address_gets_our_pages_with_404(nobody: Client,
     error_of(nobody.http.get("/nothing", headers={"Accept": "application/json"}))
 
 
+def test_the_icon_that_browsers_ask_for_beside_a_document_is_there(nobody: Client, tmp_path: Path) -> None:
+    """Beside a PDF, a video or JSON in a tab of its own, which name none, a browser asks for /favicon.ico."""
+    build(tmp_path / "pages")
+    (tmp_path / "pages" / "mark.svg").write_text("<svg/>")
+    icon = nobody.http.get("/favicon.ico")
+    assert (icon.status_code, icon.headers["content-type"], icon.text) == (200, "image/svg+xml", "<svg/>")
+
+
 def test_docs_need_no_foreign_address(nobody: Client, tmp_path: Path) -> None:
     build(tmp_path / "pages")
     (tmp_path / "pages" / "swagger").mkdir()

@@ -288,16 +288,23 @@ def test_the_survey_tells_errors_by_source_and_compares_runs(
         operator.put(f"/scan-vehicles/{one['id']}/references/speed/radar", radar(mps))
         body = {"version": one["version"], "run_of": " Test Golf "}
         assert operator.put(f"/scan-vehicles/{one['id']}/facts", body).json()["run_of"] == "Test Golf"
+
+    def by_source() -> tuple[dict[str, Any], dict[tuple[str, str | None], Any]]:
+        told = operator.seen(f"/surveys/{survey_id}/scan-statistics")
+        return told, {(one["quantity"], one["source"]): one["errors"] for one in told["references"]}
+
+    # all together would say the one source's row once more
+    assert set(by_source()[1]) == {("speed", "radar")}
     operator.put(f"/scan-vehicles/{found[0]['id']}/references/speed/counter", radar(19.44, 0.5))
-    told = operator.seen(f"/surveys/{survey_id}/scan-statistics")
-    groups = {(one["quantity"], one["source"]): one["errors"] for one in told["references"]}
-    assert set(groups) == {("speed", "radar"), ("speed", "counter"), ("speed", None)}
+    operator.put(f"/scan-vehicles/{found[0]['id']}/references/length/tape", radar(4.75, 0.01))
+    told, groups = by_source()
+    assert set(groups) - {("length", "tape")} == {("speed", "radar"), ("speed", "counter"), ("speed", None)}
     by_radar = groups["speed", "radar"]
     assert (by_radar["n"], by_radar["within"]) == (3, 2)  # the fourth waits for its review
     assert by_radar["mean"] == pytest.approx(19.31415 - (19.3 + 19.9 + 19.2) / 3)
     assert groups["speed", None]["n"] == 4
     rows = {row["number"]: row["references"] for row in told["table"]}
-    assert [one["source"] for one in rows[1]] == ["radar", "counter"] and len(rows[2]) == 1
+    assert [one["source"] for one in rows[1]] == ["radar", "counter", "tape"] and len(rows[2]) == 1
     (car,) = told["cars"]
     assert (car["car"], [run["number"] for run in car["runs"]]) == ("Test Golf", [1, 2, 3])
     length = car["sizes"]["length"]

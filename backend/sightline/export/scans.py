@@ -130,9 +130,10 @@ HEIGHTS = statistics_table(
 )
 REFERENCES = statistics_table(
     "scan_reference_errors",
-    "Accepted scanned vehicles' own values minus reference values, by what measured those and all together.",
+    "Accepted scanned vehicles' own values minus reference values, by what measured those; where two or more "
+    "sources did, also all together.",
     text("quantity", "which value", required=True, enum=get_args(ReferenceQuantity)),
-    text("source", "what measured the references; all: every source", required=True),
+    text("source", "what measured the references; all: every source, of two or more", required=True),
     _UNIT,
     _N,
     number("mean", "mean difference"),

@@ -2997,7 +2997,7 @@ scan-wish-nothing-known = none
 
 ## Motion: what the line scans of a survey say together
 
-motion-lead = Speeds, gaps and lengths of every line scan of this survey, and agreement with known lengths and wheelbases.
+motion-lead = Traffic, speeds, gaps, lengths and heights of every line scan of this survey, and agreement with known lengths and reference speeds.
 motion-loading = the statistics
 motion-which = Vehicles included
 motion-which-accepted = Accepted
@@ -3033,6 +3033,7 @@ motion-left-to_review = { $count ->
 motion-counter-braking = braking
 motion-left-rejected = { NUMBER($count) } rejected
 motion-left-not_measurable = { NUMBER($count) } cannot be measured
+motion-heights = Heights of scanned vehicles
 motion-heights-target = Target
 motion-heights-mean = Mean
 motion-heights-sd = SD

@@ -2327,9 +2327,18 @@ scans-count-vehicles = { $count ->
    *[other] { NUMBER($count) } véhicules
 }
 scans-count-to-review = { NUMBER($count) } à vérifier
-scans-count-accepted = validés : { NUMBER($count) }
-scans-count-rejected = rejetés : { NUMBER($count) }
-scans-count-not-measurable = non mesurables : { NUMBER($count) }
+scans-count-accepted = { $count ->
+    [one] { NUMBER($count) } validé
+   *[other] { NUMBER($count) } validés
+}
+scans-count-rejected = { $count ->
+    [one] { NUMBER($count) } rejeté
+   *[other] { NUMBER($count) } rejetés
+}
+scans-count-not-measurable = { $count ->
+    [one] { NUMBER($count) } non mesurable
+   *[other] { NUMBER($count) } non mesurables
+}
 scans-count-heights = { $count ->
     [one] { NUMBER($count) } hauteur
    *[other] { NUMBER($count) } hauteurs
@@ -2999,7 +3008,7 @@ scan-wish-nothing-known = aucune
 
 ## Mouvement : ce que disent ensemble les balayages d’un relevé
 
-motion-lead = Vitesses, intervalles et longueurs de tous les balayages de ce relevé, et accord avec les longueurs et empattements connus.
+motion-lead = Trafic, vitesses, intervalles, longueurs et hauteurs de tous les balayages de ce relevé, et accord avec les longueurs connues et les vitesses de référence.
 motion-loading = statistiques
 motion-which = Véhicules pris en compte
 motion-which-accepted = Validés
@@ -3038,6 +3047,7 @@ motion-left-not_measurable = { $count ->
     [one] { NUMBER($count) } n’est pas mesurable
    *[other] { NUMBER($count) } ne sont pas mesurables
 }
+motion-heights = Hauteurs des véhicules balayés
 motion-heights-target = Cible
 motion-heights-mean = Moyenne
 motion-heights-sd = Écart-type

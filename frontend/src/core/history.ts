@@ -18,7 +18,7 @@ export interface Step {
   /** What was done, as it reads after "Undo: ". */
   readonly label: string;
   /** Brings into view what it was done on; see `History`. */
-  show?(): void;
+  show?(): Promise<void> | void;
   undo(): Promise<void> | void;
   redo(): Promise<void> | void;
 }
@@ -94,7 +94,7 @@ export class History {
    * @param place asked when a step begins: how to bring what is open then back into view. Undo and redo go there first, so
    *   that nothing is changed out of sight.
    */
-  constructor(private readonly place: () => () => void = () => () => {}) {}
+  constructor(private readonly place: () => () => Promise<void> | void = () => () => {}) {}
 
   readonly undoLabel = computed(() => this.done.value.at(-1)?.label ?? null);
   readonly redoLabel = computed(() => this.undone.value.at(-1)?.label ?? null);
@@ -147,7 +147,7 @@ export class History {
     return this.inTurn(async () => {
       const step = from.value.at(-1);
       if (!step) return null;
-      step.show?.();
+      await step.show?.();
       await run(step);
       from.value = from.value.filter((other) => other !== step);
       to.value = [...to.value, step];

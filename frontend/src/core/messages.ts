@@ -101,6 +101,9 @@ export function say<K extends MessageKey>(key: K, ...[values]: Values<K>): strin
   return sentence(key, values as Record<string, FluentVariable> | undefined);
 }
 
+/** What a column or an axis is called, with its unit: "Speed (km/h)". */
+export const withUnit = (name: string, unit: string): string => say("with-unit", { name, unit });
+
 export function sayInEach(key: PlainKey): string[] {
   const patterns = bundles.value.map((bundle) => [bundle, bundle.getMessage(key)?.value] as const);
   return patterns.flatMap(([bundle, pattern]) => (pattern ? [bundle.formatPattern(pattern)] : []));

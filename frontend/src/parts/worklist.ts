@@ -3,11 +3,10 @@ type Listed = { readonly id: number } | { readonly measurement: { readonly id: n
 
 const idOf = (one: Listed) => ("id" in one ? one.id : one.measurement.id);
 
-/** The one after (or before) `id`; from none, or one that is not listed, the first (or the last). */
+/** The one after (or before) `id`; from none the first (or the last). One that is not listed stands before the list. */
 export function beside<T extends Listed>(list: readonly T[], id: number | null, step: 1 | -1): T | undefined {
   const at = list.findIndex((one) => idOf(one) === id);
-  if (at < 0) return step === 1 ? list[0] : list.at(-1);
-  return list[at + step];
+  return id === null && step === -1 ? list.at(-1) : list[at + step];
 }
 
 /** The next that waits: from the one after `id` on, and round to the one before it. */

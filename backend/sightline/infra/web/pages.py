@@ -61,6 +61,12 @@ def start() -> Response:
     return Response(START, media_type="text/javascript")
 
 
+@router.get("/favicon.ico")
+def icon(request: Request) -> Response:
+    """What browsers ask for beside a document that names no icon: a PDF, a video, JSON, the API's page."""
+    return answer_page(_folder(request), "mark.svg")
+
+
 @router.api_route("/{path:path}", methods=["GET", "HEAD"])
 def page(path: str, request: Request) -> Response:
     folder = _folder(request)

@@ -298,7 +298,7 @@ def _row_of_vehicle(vehicle: VehicleMotion) -> ScanRow:
 
 
 def _references(chosen: Sequence[VehicleMotion]) -> Iterator[ReferenceGroup]:
-    """Quantity by quantity: each source that says something of it, then all together."""
+    """Quantity by quantity: each source that says something of it, then all together where there are more."""
     for quantity in get_args(ReferenceQuantity):
         agreements = [
             (given.source, apart)
@@ -307,7 +307,9 @@ def _references(chosen: Sequence[VehicleMotion]) -> Iterator[ReferenceGroup]:
             if given.quantity == quantity
             and (apart := compare_with_reference(_compared(vehicle), given)) is not None
         ]
-        for source in (*get_args(ReferenceSource), None):
+        there = {by for by, _ in agreements}
+        together = (None,) if len(there) > 1 else ()
+        for source in (*(one for one in get_args(ReferenceSource) if one in there), *together):
             errors = reference_errors([apart for by, apart in agreements if source in (by, None)])
             if errors is not None:
                 yield ReferenceGroup(quantity, source, UNITS[quantity], errors)

@@ -1,5 +1,5 @@
 import { DataTable, Panel } from "../../components";
-import { say, sentenceOf, wordsOf } from "../../core/messages";
+import { say, sentenceOf, withUnit, wordsOf } from "../../core/messages";
 import { lengthScale, plainHeight, plainPercent, plainSmall, smallScale } from "../../core/units";
 import "./figures.css";
 import type { RuleToday } from "../../core/types";
@@ -77,7 +77,7 @@ export function SameRule({ rules, ofChosen }: Props) {
               )}
             </>
           )),
-          num(say("with-unit", { name: say("statistics-rule-difference"), unit: smallScale()[1] }), (one) =>
+          num(withUnit(say("statistics-rule-difference"), smallScale()[1]), (one) =>
             plainSmall(one.difference_m, { signed: true }),
           ),
           col(say("statistics-rule-verdict"), (one) => verdict(one)),

@@ -1,6 +1,6 @@
 import { Fragment } from "preact";
 import { Button, DataTable, Empty, Loaded, Notice, Notices, PageHead, StateMark } from "../../components";
-import { say, sentenceOf } from "../../core/messages";
+import { say, sentenceOf, withUnit } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useAsked, useEvery } from "../../core/resource";
 import { survey } from "../../core/survey";
@@ -139,7 +139,7 @@ function Vehicles({ stream, surveyId }: { stream: LiveStream; surveyId: number }
             )),
             num(say("scan-head-length"), (one) => formatLength(one.length_m, 2)),
           ),
-          num(say("with-unit", { name: say("scan-head-gap"), unit: "s" }), ({ time_gap_s }) =>
+          num(withUnit(say("scan-head-gap"), "s"), ({ time_gap_s }) =>
             time_gap_s === null ? "–" : fixed(time_gap_s, 2),
           ),
           num(say("scan-axles"), (one) => one.axles ?? "–"),

@@ -234,6 +234,28 @@ describe("the review queue", () => {
     expect(model.currentId.value).toBe(1);
   });
 
+  it("takes a verdict back that another state's list does not show: what it was on is opened before that list", async () => {
+    await open(0);
+    const [first] = items;
+    await model.judge("rejected", "It is hidden.");
+    items = [item(6), item(8)];
+    await model.show("accepted");
+    await quiet();
+    expect(model.currentId.value).toBe(6);
+    server.on("GET", /review-queue\?.*measurement=1/, () => [
+      { ...first, measurement: server.stored.get(1) },
+    ]);
+    await model.history.undo();
+    await quiet();
+    expect(judged.at(-1)).toMatchObject({ verdict: "reopened", seen: "rejected" });
+    expect(model.current.value?.measurement.id).toBe(1);
+    model.go(-1);
+    expect(model.currentId.value).toBe(1);
+    expect(toasts.value.at(-1)?.text).toBe("This is the start of the queue.");
+    model.go(1);
+    expect(model.currentId.value).toBe(6);
+  });
+
   it("leaves no step and nothing to send where a verdict was refused", async () => {
     await open(0);
     server.on("POST", /\/reviews$/, () => {

@@ -47,10 +47,10 @@ export class ReviewModel {
   readonly rejection: Rejection = new Rejection(REASONS, (reason) => void this.judge("rejected", reason));
   /** Verdicts can be taken back, each where it was given; a fix cannot: its points are a revision, and one's own. */
   readonly history: History = new History(() => {
-    const item = this.current.peek();
-    return () => {
-      if (item && this.currentId.value !== item.measurement.id)
-        this.open(this.queue.find(item.measurement.id) ?? item);
+    const id = this.currentId.peek();
+    return async () => {
+      const item = id !== null && id !== this.currentId.value && (await this.queue.bring(id));
+      if (item) this.open(item);
     };
   });
   readonly busy = signal(false);

@@ -60,6 +60,13 @@ export class ReviewQueue {
     });
   }
 
+  /** A measurement as it stands; one of another state, which this list does not show, from the server, before the list. */
+  async bring(id: number): Promise<ReviewItem | undefined> {
+    const alone = this.find(id) ? [] : await this.read({ measurement: id, state: "all" });
+    this.items.value = [...alone, ...(this.items.value ?? [])];
+    return this.find(id);
+  }
+
   find(id: number | null): ReviewItem | undefined {
     return this.items.value?.find((item) => item.measurement.id === id);
   }

@@ -1,5 +1,5 @@
 /** Speed along the vehicle with the fitted motion, and what is left over; blocks outside the fit are hollow. */
-import { say } from "../../core/messages";
+import { say, withUnit } from "../../core/messages";
 import type { ScanVehicleDetail } from "../../core/types";
 import { speedScale } from "../../core/units";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
@@ -46,7 +46,7 @@ export function ProfileFigure({ detail }: { detail: ScanVehicleDetail }) {
       options={(plot) => ({
         height: 220,
         x: { label: say("scan-profile-x") },
-        y: { label: say("with-unit", { name: say("scan-head-speed"), unit }), domain: [low, high] },
+        y: { label: withUnit(say("scan-head-speed"), unit), domain: [low, high] },
         marks: [
           readable(
             plot.line(rows, { ...FITTED, strokeWidth: 2 }),

@@ -13,6 +13,7 @@ export function ReferenceErrors({ found }: { found: ScanStatistics }) {
     <Panel says="motion-references-title" note={say("motion-references-note")}>
       <DataTable
         label={say("motion-references-title")}
+        class="table--dense"
         data-testid="scan-reference-errors"
         rows={found.references}
         keyOf={(one) => `${one.quantity} ${one.source}`}
@@ -44,7 +45,7 @@ export function ReferenceErrors({ found }: { found: ScanStatistics }) {
           )),
         ]}
       />
-      <p class="panel__body small muted">{say("motion-references-shared")}</p>
+      <p class="panel__note small muted">{say("motion-references-shared")}</p>
     </Panel>
   );
 }
@@ -89,6 +90,7 @@ function Car({ car }: { car: CarRuns }) {
       </div>
       <DataTable
         label={say("motion-cars-table", { car: car.car })}
+        class="table--dense"
         rows={sizes}
         keyOf={([size]) => size}
         columns={({ col, num }) => [

@@ -69,15 +69,22 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
           why={which === "accepted" ? "motion-none-accepted" : "motion-none"}
         />
       )}
-      {data && data.heights.length > 0 && <ScannedHeights heights={data.heights} />}
+      {data && vehicles > 0 && (
+        <p class="small muted" data-testid="scan-counted">
+          {countedWords(data, which === "accepted")}
+        </p>
+      )}
+      {data && data.counted["vehicles"] !== 0 && (
+        <Traffic surveyId={surveyId} acceptedOnly={which === "accepted"} filmed={filmed} />
+      )}
       {data && vehicles > 0 && (
         <div class="stack">
-          <p class="small muted" data-testid="scan-counted">
-            {countedWords(data, which === "accepted")}
-          </p>
-          <ReferenceErrors found={data} />
+          <div class="grid grid--fit scan-figures" style={{ "--least": "420px" }}>
+            {data.spreads.map((spread) => (
+              <SpreadFigure key={spread.quantity} spread={spread} />
+            ))}
+          </div>
           <SizeErrors found={data} />
-          <RunsOfCars found={data} />
           {[data.length_ratio, data.wheelbase_ratio].map(
             (one, n) =>
               one.warning && (
@@ -90,17 +97,12 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
                 </Notice>
               ),
           )}
-          <div class="grid grid--fit scan-figures" style={{ "--least": "420px" }}>
-            {data.spreads.map((spread) => (
-              <SpreadFigure key={spread.quantity} spread={spread} />
-            ))}
-          </div>
-          <TableOne found={data} />
+          <RunsOfCars found={data} />
+          <ReferenceErrors found={data} />
         </div>
       )}
-      {data && data.counted["vehicles"] !== 0 && (
-        <Traffic surveyId={surveyId} acceptedOnly={which === "accepted"} filmed={filmed} />
-      )}
+      {data && data.heights.length > 0 && <ScannedHeights heights={data.heights} />}
+      {data && vehicles > 0 && <TableOne found={data} />}
     </div>
   );
 }

@@ -113,7 +113,7 @@ export function RigOfTraffic({ scan, use, narrow, changed }: Props) {
             (one) => (one.value === null ? sentenceOf(one.reason) : undefined),
             undefined,
             num(say("scans-traffic-value"), (one) => one.value),
-            num(say("scans-traffic-from"), ({ n: count }) => say("scans-count-vehicles", { count })),
+            num(say("scans-traffic-from"), (one) => one.n),
           ),
           ...(narrow ? [] : [num(say("scans-traffic-in-force"), (one) => one.inForce)]),
           actions(

@@ -39,9 +39,10 @@ export function SizeErrors({ found }: { found: ScanStatistics }) {
   );
 }
 
-/** The groups of a size that there are, all together in any case, by their words. */
+/** All of a size together, and the groups that say something else than it, by their words. */
 function told(words: Readonly<Record<string, string>>, groups: readonly ScanErrorGroup[]) {
-  const there = groups.filter((one) => one.n > 0 || one.group === "overall");
+  const all = groups.find((one) => one.group === "overall")?.n ?? 0;
+  const there = groups.filter(({ n, group }) => group === "overall" || (n > 0 && n < all));
   return there.map((one) => ({ ...one, word: words[one.group] ?? one.group }));
 }
 

@@ -1,5 +1,5 @@
 /** The cumulative distribution of one quantity with its band, and the percentiles that are asked for. */
-import { apart, say, sentenceOf, wordsOf } from "../../core/messages";
+import { apart, say, sentenceOf, withUnit, wordsOf } from "../../core/messages";
 import type { ScanSpread } from "../../core/types";
 import { fixed, lengthScale, plainPercent, type Scale, speedScale } from "../../core/units";
 import { aroundOne, ECDF_COLUMNS, ecdfMarks, ecdfRows, noBandWords } from "../../parts/figures/curves";
@@ -53,7 +53,7 @@ export function SpreadFigure({ spread }: { spread: ScanSpread }) {
       options={(plot) => ({
         height: 240,
         x: {
-          label: say("with-unit", { name: SHORT[spread.quantity] ?? title, unit }),
+          label: withUnit(SHORT[spread.quantity] ?? title, unit),
           ...(there ? aroundOne(ecdf.value.map((one) => one * by)) : {}),
         },
         y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },

@@ -1,6 +1,6 @@
 /** The vehicles in the layout of the paper's Table I, the printed table beside them. */
 import { DataTable, Panel } from "../../components";
-import { say } from "../../core/messages";
+import { say, withUnit } from "../../core/messages";
 import type { ScanStatistics } from "../../core/types";
 import { fixed, heads, plainAcceleration, plainLength, plainSpeed, speedScale } from "../../core/units";
 import { vehicleName } from "../../core/words";
@@ -18,11 +18,9 @@ export function TableOne({ found }: { found: ScanStatistics }) {
   );
 }
 
-const speedHead = () => say("with-unit", { name: say("motion-head-speed"), unit: heads().speed });
-const accelerationHead = () =>
-  say("with-unit", { name: say("motion-head-acceleration"), unit: heads().acceleration });
-const lengthHead = (of: "motion-head-size" | "motion-head-true") =>
-  say("with-unit", { name: say(of), unit: heads().length });
+const speedHead = () => withUnit(say("motion-head-speed"), heads().speed);
+const accelerationHead = () => withUnit(say("motion-head-acceleration"), heads().acceleration);
+const lengthHead = (of: "motion-head-size" | "motion-head-true") => withUnit(say(of), heads().length);
 
 function Own({ found }: { found: ScanStatistics }) {
   return (

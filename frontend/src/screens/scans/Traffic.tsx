@@ -13,7 +13,7 @@ import {
   Panel,
   Segments,
 } from "../../components";
-import { say, sentenceOf, wordsOf } from "../../core/messages";
+import { say, sentenceOf, withUnit, wordsOf } from "../../core/messages";
 import { useAsked } from "../../core/resource";
 import { formatPlaceClock, formatPlaceDay, formatPlaceMoment } from "../../core/times";
 import type { ScanTraffic, TrafficFigure, TrafficInterval, TrafficOfScans } from "../../core/types";
@@ -157,8 +157,6 @@ function IntervalTable({
     />
   );
 }
-
-const withUnit = (name: string, unit: string) => say("with-unit", { name, unit });
 
 /** When an interval began: its clock, with the day where that is another one than the heading's. */
 export function beganWords(begins_at: string, first_at = begins_at): string {

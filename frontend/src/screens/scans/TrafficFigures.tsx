@@ -1,5 +1,5 @@
 /** Flow and speed over the day and against each other, by interval; every number is the server's. */
-import { say } from "../../core/messages";
+import { say, withUnit } from "../../core/messages";
 import { formatPlaceClock } from "../../core/times";
 import type { ScanTraffic, TrafficInterval } from "../../core/types";
 import { fixed, speedScale } from "../../core/units";
@@ -87,7 +87,7 @@ export function FlowFigure({ scan, minutes }: { scan: ScanTraffic; minutes: numb
       options={(plot) => ({
         height: 240,
         x: dayAxis(scan),
-        y: { label: say("with-unit", { name: say("flows-flow"), unit: say("unit-per-hour") }), zero: true },
+        y: { label: withUnit(say("flows-flow"), say("unit-per-hour")), zero: true },
         marks: [
           plot.ruleY([0], { stroke: "var(--line-strong)" }),
           plot.ruleX(scan.intervals, { ...SPREAD, y1: "flow_low", y2: "flow_high" }),
@@ -128,7 +128,7 @@ export function SpeedFigure({ scan }: { scan: ScanTraffic }) {
         height: 240,
         x: dayAxis(scan),
         y: {
-          label: say("with-unit", { name: say("flows-speed"), unit }),
+          label: withUnit(say("flows-speed"), unit),
           ...aroundOne([mean, percentile(15), percentile(85)].flatMap((each) => seen.map(each))),
         },
         marks: [
@@ -179,20 +179,20 @@ export function statesOf(intervals: readonly TrafficInterval[]) {
 export function FundamentalFigure({ scan, against }: { scan: ScanTraffic; against: "density" | "flow" }) {
   const [by, unit] = speedScale();
   const states = statesOf(scan.intervals);
-  const flowLabel = say("with-unit", { name: say("flows-flow"), unit: say("unit-per-hour") });
+  const flowLabel = withUnit(say("flows-flow"), say("unit-per-hour"));
   const axes =
     against === "density"
       ? {
           x: (one: TrafficState) => one.density_per_km,
           y: (one: TrafficState) => one.flow_per_hour,
-          xLabel: say("with-unit", { name: say("flows-head-density"), unit: say("unit-per-km") }),
+          xLabel: withUnit(say("flows-head-density"), say("unit-per-km")),
           yLabel: flowLabel,
         }
       : {
           x: (one: TrafficState) => one.flow_per_hour,
           y: (one: TrafficState) => one.speed_mps * by,
           xLabel: flowLabel,
-          yLabel: say("with-unit", { name: say("flows-speed"), unit }),
+          yLabel: withUnit(say("flows-speed"), unit),
         };
   const title = against === "density" ? "flows-flow-by-density-of" : "flows-speed-by-flow-of";
   const dots = { x: axes.x, y: axes.y, r: 3, stroke: "var(--ink)", strokeWidth: 1.5 };

@@ -2,7 +2,7 @@
 import { StateMark, TableScroll } from "../../components";
 import { useRowsIn } from "../../components/oneTabStop";
 import { Said } from "../../components/Said";
-import { say, sentenceOf } from "../../core/messages";
+import { say, sentenceOf, withUnit } from "../../core/messages";
 import { formatPlaceClock, formatPlaceMoment } from "../../core/times";
 import type { ScanVehicle } from "../../core/types";
 import { fixed, formatSeconds, heads, plainAcceleration, plainLength, plainSpeed } from "../../core/units";
@@ -23,21 +23,17 @@ export function VehicleTable({ model }: { model: ScanModel }) {
         <thead>
           <tr>
             <th>{say("scan-head-number")}</th>
-            <th class="num">
-              {clock ? say("scan-head-clock") : say("with-unit", { name: say("scan-head-time"), unit: "s" })}
-            </th>
-            <th class="num">{say("with-unit", { name: say("scan-head-speed"), unit: units.speed })}</th>
-            <th class="num">
-              {say("with-unit", { name: say("scan-head-acceleration"), unit: units.acceleration })}
-            </th>
-            <th class="num">{say("with-unit", { name: say("scan-head-length"), unit: units.length })}</th>
-            <th class="num">{say("with-unit", { name: say("scan-head-gap"), unit: "s" })}</th>
-            <th class="num">{say("with-unit", { name: say("scan-head-gap"), unit: units.length })}</th>
+            <th class="num">{clock ? say("scan-head-clock") : withUnit(say("scan-head-time"), "s")}</th>
+            <th class="num">{withUnit(say("scan-head-speed"), units.speed)}</th>
+            <th class="num">{withUnit(say("scan-head-acceleration"), units.acceleration)}</th>
+            <th class="num">{withUnit(say("scan-head-length"), units.length)}</th>
+            <th class="num">{withUnit(say("scan-head-gap"), "s")}</th>
+            <th class="num">{withUnit(say("scan-head-gap"), units.length)}</th>
             {/* there is room for one of the two; the headway stands in the panel */}
             {lanes ? (
               <th>{say("scan-lane")}</th>
             ) : (
-              <th class="num">{say("with-unit", { name: say("scan-head-headway"), unit: "s" })}</th>
+              <th class="num">{withUnit(say("scan-head-headway"), "s")}</th>
             )}
             <th>{say("scan-head-state")}</th>
           </tr>

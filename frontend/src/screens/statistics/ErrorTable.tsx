@@ -1,6 +1,6 @@
 import { DataTable, Panel } from "../../components";
 import { Said } from "../../components/Said";
-import { say, sentenceOf, wordsOf } from "../../core/messages";
+import { say, sentenceOf, withUnit, wordsOf } from "../../core/messages";
 import type { ErrorGroupBody, ErrorsBody } from "../../core/types";
 import { formatCount, formatSmall, smallScale } from "../../core/units";
 import { csvOf, download } from "../../parts/figures/csv";
@@ -37,7 +37,7 @@ const COLUMNS: readonly Column[] = [
 ];
 
 function headOf({ key, unit }: Column): string {
-  return unit() ? say("with-unit", { name: HEADS[key], unit: unit() }) : HEADS[key];
+  return unit() ? withUnit(HEADS[key], unit()) : HEADS[key];
 }
 
 /** The paper's Table 1 for this survey, each figure with its interval, the printed one below it. */

@@ -1,6 +1,6 @@
 /** Errors against heights that were known before, a row a target, its lightings and classes below; check targets. */
 import { DataTable, Panel } from "../../components";
-import { say, sentenceOf, wordsOf } from "../../core/messages";
+import { say, sentenceOf, withUnit, wordsOf } from "../../core/messages";
 import type { KnownErrorsBody } from "../../core/types";
 import { formatCount, smallScale } from "../../core/units";
 import { HEIGHT_WORDS } from "../../core/words";
@@ -31,7 +31,7 @@ export function KnownErrorsTable({ found }: { found: readonly KnownErrorsBody[] 
             rowHead(say("statistics-known-target"), nameOf),
             num("n", ({ group }) => formatCount(group.n)),
             ...FIGURES.map((key) => ({
-              ...num(say("with-unit", { name: HEADS[key], unit }), ({ group }: Row) => (
+              ...num(withUnit(HEADS[key], unit), ({ group }: Row) => (
                 <Figure figure={group.figures[key]} factor={factor} digits={unit === "in" ? 2 : 1} />
               )),
               cellTitle: ({ group }: Row) =>
