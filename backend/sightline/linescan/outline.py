@@ -306,8 +306,8 @@ def _end_of(x: NDArray[np.intp], y: Floats, s: Floats, uneven: Floats, bumps: fl
     if gain >= 0 and not few:
         return None
     if few and (is_round or gain >= 0):
-        line, u_lines = _round_end(place, y, np.sqrt(s**2 - (1 - ROUND_BUMPS**2) * bumps**2))
-        foremost = line, hypot(u_lines, ROUND_GREY * grey)
+        tip, u_tip = _round_end(place, y, np.sqrt(s**2 - (1 - ROUND_BUMPS**2) * bumps**2))
+        foremost = tip, hypot(u_tip, ROUND_GREY * grey)
     if gain >= 0:
         return _End(*foremost, False, inf)
     bend = max(float(c[2]), 0.0) + sqrt(max(1.0, strays) * float(np.linalg.pinv(normal)[2, 2]))
