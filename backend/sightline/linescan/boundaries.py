@@ -129,7 +129,7 @@ def edge_near(
     edges, u, ahead, clear = _with_faint(sharp, faint, long)
     uneven = _uneven(smooth, edges, lines_per_m)
     bumps = BUMPY_M * lines_per_m
-    bands = Bands(edges, np.hypot(u, bumps), uneven, ahead, clear, bumps)
+    bands = Bands(edges=edges, u=np.hypot(u, bumps), uneven=uneven, ahead=ahead, clear=clear, bumps=bumps)
     found = fit_foremost_edge(
         bands, Seen(differs, 1.15 * noise_dn / sqrt(height), limits[0] / 2, lines_per_m)
     )
