@@ -44,6 +44,12 @@ def round_end(rng: np.random.Generator) -> Array:
     return np.asarray(rng.uniform(0.15, 0.9) * (place - rng.uniform(12, 30)) ** 2)
 
 
+def flat_topped(rng: np.random.Generator) -> Array:
+    """Flat over 1 to 3 bands, beside which it falls back as a parabola does: by 1 to 5 mm at one band."""
+    fall = np.maximum(np.abs(place - rng.uniform(12, 30)) - rng.uniform(0.5, 1.5), 0.0)
+    return np.asarray(rng.uniform(0.3, 1.5) * fall**2)
+
+
 def round_bumper(rng: np.random.Generator) -> Array:
     """A parabola over 11 bands, 5 to 11 mm before 15 to 20 bands of an upright grille above it."""
     foremost, before = rng.uniform(24, 32), rng.uniform(1.5, 3.3)
@@ -97,7 +103,12 @@ SEEN = [(noise, straying) for straying in (False, True) for noise in (0.2, 0.5)]
     [
         (round_bumper, 0.2, False),
         *every(
-            4, [(shape, *how) for shape in (upright, corner, round_end, small_flat) for how in SEEN[::-1]]
+            4,
+            [
+                (shape, *how)
+                for shape in (upright, corner, round_end, flat_topped, small_flat, slanted)
+                for how in SEEN[::-1]
+            ],
         ),
     ],
 )
@@ -110,9 +121,3 @@ def test_u95_of_an_end_holds(case: tuple[Shape, float, bool]) -> None:
 def test_u95_of_a_bumper_that_noise_hides_holds_less_often(how: tuple[float, bool]) -> None:
     """Not mended: by 1.7 mm of noise or as much of greys a bumper 5 mm before a grille may look upright."""
     assert held(round_bumper, *how)[0] >= 0.84
-
-
-@pytest.mark.parametrize("how", every(4, SEEN))
-def test_u95_of_a_slanted_end_holds_less_often(how: tuple[float, bool]) -> None:
-    """Not mended: its tip lies half a band before the middle of the foremost band, where the end is put."""
-    assert held(slanted, *how)[0] >= 0.84

@@ -102,8 +102,8 @@ def edge_near(
     empty road's line, grey values. `shadow_share`: of the rows, not looked at below.
 
     Own method: in each band of rows the place half the way from the road's grey to the vehicle's, then the
-    vertex of a weighted parabola through neighbouring bands. An Edge without a line where there is none.
-    (Douxchamps et al., section IV, compare whole lines with the background, shadow included.)
+    foremost point of a weighted outline through neighbouring bands. An Edge without a line where there is
+    none. (Douxchamps et al., section IV, compare whole lines with the background, shadow included.)
     """
     before, behind = BEFORE_M * lines_per_m + 6, BEHIND_M * lines_per_m + 6
     lo, hi = (line - behind, line + before) if rear else (line - before, line + behind)
@@ -128,7 +128,8 @@ def edge_near(
     sharp, rise = _band_edges(smooth, (sigma, own), limits, lines_per_m, soft + 1 - soft % 2)
     edges, u, ahead, clear = _with_faint(sharp, faint, long)
     uneven = _uneven(smooth, edges, lines_per_m)
-    bands = Bands(edges, np.hypot(u, BUMPY_M * lines_per_m), uneven, ahead, clear)
+    bumps = BUMPY_M * lines_per_m
+    bands = Bands(edges=edges, u=np.hypot(u, bumps), uneven=uneven, ahead=ahead, clear=clear, bumps=bumps)
     found = fit_foremost_edge(
         bands, Seen(differs, 1.15 * noise_dn / sqrt(height), limits[0] / 2, lines_per_m)
     )

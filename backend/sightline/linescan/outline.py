@@ -1,7 +1,8 @@
 """The foremost point of a vehicle's outline from what its bands of rows show.
 
-It is the vertex of a parabola through the edges of neighbouring bands, each with the weight of its own doubt:
-bumpers are round, and may have the road's own grey in some bands. Where a parabola fits no better than an
+It is that of a round end through the edges of neighbouring bands, each with the weight of its own doubt:
+bumpers are round, some flat about their foremost point, and may have the road's own grey in some bands; over
+all such shapes the mean is taken by how likely each is. Where a parabola fits no better than an
 upright line the end is flat. The lowest of many noisy values, which a vertex seeks, lies too far out, and so
 does a parabola about a corner; a bumper that stands before an upright face does not. So wherever more bands
 agree with an upright line, both are weighed by what the bands say, and u holds what lies between them.
@@ -18,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.arrays import Floats
-from sightline.robust import robust_scale
+from sightline.robust import SD_OVER_MEDIAN, robust_scale
 
 # along the vehicle, metres: searched before the rough edge
 BEFORE_M = 0.10
@@ -45,17 +46,24 @@ NOTCH_M, THERE = 0.010, 2.5
 CLEAR_SHARE = 0.4
 # What differs from the road lies at most so far before its half-way edge, metres, by optics and noise.
 TOLD_M = 0.011
-# The next four were found from the errors of the ends of 480 simulated bodies (seeds 8801 and 8901).
-# Greys that change behind an edge change alike in all bands: by so many times their mean a round end is off,
-# and a flat one.
-ROUND_GREY, FLAT_GREY = 1.0, 0.4
+# Greys that change behind an edge change alike in all bands: by so many times their mean a round end is off
+# (from the errors of 1900 ends, seeds 9901 and 9903), and a flat one. This and the next three were found from
+# the errors of the ends of 480 simulated bodies (seeds 8801 and 8901).
+ROUND_GREY, FLAT_GREY = 0.75, 0.4
 # A flat end of few bands that stray by more than their noise is hardly flat: what they stray more counts so
 # many times. In a long one the bands' own scatter tells, beside a share of what is usual.
 FEW_STRAY, USUAL_SHARE = 11.0, 0.2
-# An outline that is flat about its foremost point and falls back faster beside it (x^4) lets a parabola
-# through 2 REACH + 1 bands lie before it by 1.07 times what that falls back at one band, a true parabola by
-# none: standard uncertainty, so many times, from the errors of the ends of 92 bodies (seed 9901).
-ROUND_SHAPE = 0.25
+# A round end may be flat about its foremost point, over so many bands to either side, and fall back from
+# there on as a parabola, which through all bands would lie before it: as likely a parabola as not before
+# anything is seen. As likely as this an end is slanted: it falls back straight from its last row.
+FLAT_HALVES, HALF_LIKELY, STRAIGHT = (0.0, 0.5, 1.0, 1.5), (3 / 6, 1 / 6, 1 / 6, 1 / 6), 0.25
+# steps of bands in which its middle is looked for, and how far beyond them
+MIDDLE_STEP, BEYOND = 0.25, 1.5
+# About a shape that fits bands stray less than about a parabola: by so large a share of their bumps (seeds
+# 9901 and 9903).
+ROUND_BUMPS = 0.4
+# how many bands' worth it weighs that bands stray by what their u says, beside what they do
+USUAL_BANDS = 8
 CAUCHY, ROBUST_ROUNDS = 2.385, 6
 # standard uncertainty of a doubtful boundary: the rms error of 50 such ones of 1008 simulated vehicles, most
 # of them bumpers of the road's own grey at 8 DN and 30 m/s or more, which hide up to 110 mm
@@ -81,7 +89,7 @@ class Edge:
 class Bands:
     """Of every band of rows (bands,): the line of its edge, u of that line by noise, lines by which it may be
     off because the vehicle's grey changes behind it, lines before it in which something else differs from the
-    road, and whether it is clear.
+    road, and whether it is clear. `bumps`: lines that every u holds for bands which stray without any noise.
     """
 
     edges: Floats
@@ -89,6 +97,7 @@ class Bands:
     uneven: Floats
     ahead: Floats
     clear: NDArray[np.bool_]
+    bumps: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,7 +158,8 @@ def fit_foremost_edge(bands: Bands, view: Seen) -> Edge:
     if len(kept) < 4:
         return Edge(float(np.median(edges[near])))
     doubtful = float(np.mean(clear[max(middle - 2 * REACH, 0) : middle + 2 * REACH + 1])) < CLEAR_SHARE
-    end = _end_of(kept - middle, edges[kept], u[kept], uneven[kept])
+    end = _end_of(kept - middle, edges[kept], u[kept], uneven[kept], bands.bumps)
+    assert end is not None
     # a flat end hides less than a round one may
     bend = min(4 * HIDDEN_M * lines_per_m, end.bend)
     hidden = max(
@@ -193,7 +203,7 @@ def _upright_of(
                 continue
             line = _end_of(some - middle, bands.edges[some], bands.u[some], bands.uneven[some])
             # one that lies before a round end says nothing that the round end does not
-            if not line.flat or (not end.flat and line.line <= end.line):
+            if line is None or (not end.flat and line.line <= end.line):
                 continue
             off = (bands.edges[some] - line.line) / s[some]
             agree = float(np.mean(np.abs(off) < AGREES))
@@ -273,9 +283,10 @@ def _may_hide(bands: Bands, view: Seen, notches: NDArray[np.bool_], line: float,
     return min(most, DOUBT_M * view.lines_per_m)
 
 
-def _end_of(x: NDArray[np.intp], y: Floats, s: Floats, uneven: Floats) -> _End:
-    """The foremost line of a parabola, or of an upright line if that is enough, through the edges `y` (n,) of
-    bands `x` (n,), of standard deviations `s` (n,) by noise and `uneven` (n,) by greys.
+def _end_of(x: NDArray[np.intp], y: Floats, s: Floats, uneven: Floats, bumps: float = 0.0) -> _End | None:
+    """The foremost line of a round end, or of an upright line if that is enough, through the edges `y` (n,)
+    of bands `x` (n,), of standard deviations `s` (n,) by noise and `bumps`, and `uneven` (n,) by greys; None
+    where more than 2 REACH + 1 bands show no upright line.
     """
     place = x.astype(float)
     # a band whose grey changes says less
@@ -292,14 +303,12 @@ def _end_of(x: NDArray[np.intp], y: Floats, s: Floats, uneven: Floats) -> _End:
     gain = costs[0] - costs[1] - 2 * log(len(y))
     is_round = c[2] > 1e-6
     few = len(y) <= 2 * REACH + 1
-    if is_round and (gain >= 0 or few):
-        vertex = float(np.clip(-c[1] / (2 * c[2]), place.min(), place.max()))
-        foremost = _line_at(vertex, c, normal, max(1.0, strays), ROUND_GREY * grey, ROUND_SHAPE * float(c[2]))
+    if gain >= 0 and not few:
+        return None
+    if few and (is_round or gain >= 0):
+        tip, u_tip = _round_end(place, y, np.sqrt(s**2 - (1 - ROUND_BUMPS**2) * bumps**2))
+        foremost = tip, hypot(u_tip, ROUND_GREY * grey)
     if gain >= 0:
-        if not is_round:
-            c, normal, strays = _weighted_fit(place, y, s, 1)
-            tip = float(place.min() if c[1] > 0 else place.max())
-            foremost = _line_at(tip, c, normal, max(1.0, strays), ROUND_GREY * grey)
         return _End(*foremost, False, inf)
     bend = max(float(c[2]), 0.0) + sqrt(max(1.0, strays) * float(np.linalg.pinv(normal)[2, 2]))
     c, normal, strays = flat
@@ -309,6 +318,66 @@ def _end_of(x: NDArray[np.intp], y: Floats, s: Floats, uneven: Floats) -> _End:
     if few and is_round:
         line = _either(line, foremost, 1 / (1 + exp(gain / 2)))
     return _End(*line, True, bend)
+
+
+def _round_shapes(x: Floats) -> tuple[Floats, Floats, Floats]:
+    """What the outline of a round end falls back by at bands `x` (n,), (shapes, n), so scaled that at the
+    farthest it is about one; what of it is left at its foremost row that is seen, (shapes,); and how likely
+    each shape is before anything is seen: every middle, which may lie beyond the bands, and all that it may
+    be flat by, and straight from the last row on either side.
+    """
+    low, high = float(x.min()), float(x.max())
+    middles = np.arange(low - BEYOND, high + BEYOND + MIDDLE_STEP / 2, MIDDLE_STEP)
+    middle, half = (one.ravel()[:, None] for one in np.meshgrid(middles, FLAT_HALVES))
+
+    def sums(place: Floats) -> Floats:
+        return np.asarray(np.sign(place) * np.maximum(np.abs(place) - half, 0) ** 3 / 3)
+
+    size = (REACH - half) ** 2
+    rounds = (sums(x - middle + 0.5) - sums(x - middle - 0.5)) / size
+    beyond = np.abs(middle - np.clip(middle, low - 0.5, high + 0.5))
+    least = np.maximum(beyond - half, 0) ** 2 / size
+    straight = np.array([x - low + 0.5, high + 0.5 - x]) / (2 * REACH)
+    likely = np.repeat(HALF_LIKELY, len(middles)) / len(middles)
+    return (
+        np.vstack([rounds, straight]),
+        np.append(least, [0.0, 0.0]),
+        np.append((1 - STRAIGHT) * likely, [STRAIGHT / 2] * 2),
+    )
+
+
+def _round_end(x: Floats, y: Floats, s: Floats) -> tuple[float, float]:
+    """Foremost line of a round end through the edges `y` (n,) of bands `x` (n,), of standard deviations `s`
+    (n,), and its u: mean and standard deviation over all middles and all it may be flat by.
+
+    Each is fitted as what a band's rows show in the mean, with Cauchy's weights, and is as likely as it was
+    before times the chance of what it leaves, of normal errors whose scale is that of `s` as USUAL_BANDS
+    bands more would tell it: Student's t (averaged as in Hoeting et al. 1999).
+    """
+    shape, least, likely = _round_shapes(x)
+    weights = np.broadcast_to(s**-2, shape.shape)
+    for _ in range(ROBUST_ROUNDS):
+        n, of_shape, of_square = weights.sum(1), (weights * shape).sum(1), (weights * shape**2).sum(1)
+        of_y, of_both = (weights * y).sum(1), (weights * shape * y).sum(1)
+        power = np.maximum(n * of_square - of_shape**2, 1e-12)
+        line, fall = (
+            (of_square * of_y - of_shape * of_both) / power,
+            (n * of_both - of_shape * of_y) / power,
+        )
+        misses = (y - line[:, None] - fall[:, None] * shape) / s
+        scale = np.maximum(1.0, SD_OVER_MEDIAN * np.median(np.abs(misses), axis=1))[:, None]
+        weights = s**-2 / (1 + (misses / (CAUCHY * scale)) ** 2)
+    left = CAUCHY**2 * np.log1p((misses / CAUCHY) ** 2).sum(1) + USUAL_BANDS
+    freedom = USUAL_BANDS + len(y) - 2
+    gain = np.log(likely) - freedom / 2 * np.log(left) - np.log(power) / 2
+    falls_back = fall > 0 if (fall > 0).any() else np.full(len(fall), True)
+    chance = np.where(falls_back, np.exp(np.minimum(gain - gain[falls_back].max(), 0.0)), 0.0)
+    chance /= chance.sum()
+    foremost = line + fall * least
+    mean = float(chance @ foremost)
+    by_bands = (of_square - 2 * least * of_shape + least**2 * n) / power
+    variance = left / freedom * by_bands + (foremost - mean) ** 2
+    return mean, sqrt(float(chance @ variance))
 
 
 def _line_at(place: float, c: Floats, normal: Floats, wider: float, *others: float) -> tuple[float, float]:
