@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.arrays import Floats
-from sightline.linescan.budget import Budget, budget_of
+from sightline.linescan.budget import budget_of
 from sightline.linescan.finding import too_few_lines
 from sightline.linescan.masks import (
     ROWS,
@@ -46,7 +46,7 @@ UNLIKE_M = 0.05
 # by how much of the speed that the boundaries say the pictures may say another
 MOST_MOVED = 0.25
 MOST_SATURATED = 0.03
-# of a motion's u, by how much its last round may have moved it: U95 is then the same to half a per cent
+# of the fit's u, by how much the last round may have moved any figure that follows from it
 SETTLED = 0.1
 NO_TEXTURE = Said("scan-motion-no-texture")
 NO_MATCH = Said("scan-motion-no-match")
@@ -258,7 +258,7 @@ def _answer(passage: Passage, rig: Rig, scene: Scene, prior: Prior, whole: Fit, 
         gain=fit.state.gain,
         budget=budget.entries,
         profile=profile,
-        warnings=_warnings(passage, _has_settled(fit, budget), budget.apart_m),
+        warnings=_warnings(passage, _has_settled(fit, spread), budget.apart_m),
         correlation=budget.correlation,
     )
 
@@ -277,13 +277,12 @@ def _u_shift(scene: Scene, prior: Prior, whole: Fit) -> float:
     return float(np.sqrt(variance))
 
 
-def _has_settled(fit: Fit, budget: Budget) -> bool:
-    """Whether the last round moved speed and acceleration by less than their uncertainties would notice."""
-    speed_mps, acceleration_mps2 = np.abs(fit.last_step[:2]).tolist()
-    return bool(
-        speed_mps <= SETTLED * budget.u_speed_mps
-        and acceleration_mps2 <= SETTLED * budget.u_acceleration_mps2
-    )
+def _has_settled(fit: Fit, spread: Floats) -> bool:
+    """Whether the last round moved speed and acceleration, and what follows from both, by less than SETTLED
+    of what the fit's own covariance `spread` (2, 2) lets them be off by.
+    """
+    step = fit.last_step[:2]
+    return bool(step @ np.linalg.lstsq(spread, step, rcond=None)[0] <= SETTLED**2)
 
 
 def _warnings(passage: Passage, has_settled: bool, apart_m: float) -> tuple[Said, ...]:
