@@ -288,6 +288,8 @@ def test_the_icon_that_browsers_ask_for_beside_a_document_is_there(nobody: Clien
     (tmp_path / "pages" / "mark.svg").write_text("<svg/>")
     icon = nobody.http.get("/favicon.ico")
     assert (icon.status_code, icon.headers["content-type"], icon.text) == (200, "image/svg+xml", "<svg/>")
+    head = nobody.http.head("/favicon.ico")
+    assert (head.status_code, head.headers["content-length"], head.text) == (200, "6", "")
 
 
 def test_docs_need_no_foreign_address(nobody: Client, tmp_path: Path) -> None:

@@ -2106,6 +2106,7 @@ review-step-verdict = verdict on { $target ->
     [headlight] headlight
    *[other] other target
 } of vehicle { $vehicle }
+review-step-overtaken = Nothing was changed: this height has since been withdrawn, changed or given another verdict.
 review-error = Height error
 review-side = Driver’s side
 review-signs = <strong>Check closely:</strong> { $signs }
@@ -2997,7 +2998,7 @@ scan-wish-nothing-known = none
 
 ## Motion: what the line scans of a survey say together
 
-motion-lead = Traffic, speeds, gaps, lengths and heights of every line scan of this survey, and agreement with known lengths and reference speeds.
+motion-lead = Traffic, speeds, gaps, lengths and heights of every line scan of this survey, and agreement with known lengths and wheelbases, and with reference values.
 motion-loading = the statistics
 motion-which = Vehicles included
 motion-which-accepted = Accepted

@@ -2105,6 +2105,7 @@ review-step-verdict = décision ({ $target ->
     [headlight] projecteur
    *[other] autre cible
 }, véhicule { $vehicle })
+review-step-overtaken = Rien n’a changé : depuis, cette hauteur a été retirée ou modifiée, ou a reçu une autre décision.
 review-error = Erreur de hauteur
 review-side = Côté du conducteur
 review-signs = <strong>À contrôler de près :</strong> { $signs }
@@ -3008,7 +3009,7 @@ scan-wish-nothing-known = aucune
 
 ## Mouvement : ce que disent ensemble les balayages d’un relevé
 
-motion-lead = Trafic, vitesses, intervalles, longueurs et hauteurs de tous les balayages de ce relevé, et accord avec les longueurs connues et les vitesses de référence.
+motion-lead = Trafic, vitesses, intervalles, longueurs et hauteurs de tous les balayages de ce relevé, et accord avec les longueurs et empattements connus et avec les valeurs de référence.
 motion-loading = statistiques
 motion-which = Véhicules pris en compte
 motion-which-accepted = Validés

@@ -9,7 +9,8 @@ import { sameValue } from "./same";
 /** Values by key that can be put back: wanted clicks of a measurement, boundaries of a vehicle, whether a pass is there. */
 export interface Ledger<K, V> {
   read(key: K): V;
-  write(key: K, value: V): Promise<void> | void;
+  /** `left`: where a step is taken back or done again, what it left there before. */
+  write(key: K, value: V, left?: V): Promise<void> | void;
   /** Two keys that stand for the same value; the key itself unless said otherwise. */
   nameOf?(key: K): unknown;
 }
@@ -47,16 +48,16 @@ export class ChangeSet {
     const name = ledger.nameOf?.(key) ?? key;
     if (this.touched.some((other) => other.ledger === ledger && other.name === name)) return;
     const before = ledger.read(key);
-    let after = before;
+    let after: V | undefined;
     this.touched.push({
       ledger,
       name,
       unchanged: () => sameValue(before, ledger.read(key)),
-      back: () => ledger.write(key, before),
+      back: () => ledger.write(key, before, after),
       close: () => {
         after = ledger.read(key);
       },
-      again: () => ledger.write(key, after),
+      again: () => ledger.write(key, after as V, before),
     });
   }
 

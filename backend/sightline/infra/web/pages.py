@@ -61,7 +61,7 @@ def start() -> Response:
     return Response(START, media_type="text/javascript")
 
 
-@router.get("/favicon.ico")
+@router.api_route("/favicon.ico", methods=["GET", "HEAD"])
 def icon(request: Request) -> Response:
     """What browsers ask for beside a document that names no icon: a PDF, a video, JSON, the API's page."""
     return answer_page(_folder(request), "mark.svg")

@@ -1,7 +1,9 @@
 /** Verdicts on their way to the server, each a value of its measurement that can be put back. */
+import { ApiError } from "../../core/api";
 import type { Ledger } from "../../core/history";
 import { say } from "../../core/messages";
 import { outbox, type Wanted } from "../../core/outbox";
+import { sameValue } from "../../core/same";
 import { me } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import { toast } from "../../core/toasts";
@@ -12,21 +14,28 @@ import { type GivenVerdict, type Height, VERDICT, type VerdictAbout } from "./ki
 import { isWaiting, type ReviewQueue } from "./queue";
 
 export class Verdicts {
+  /** As each height was left by the last verdict on it, whether a list shows it or not. */
+  private readonly last = new Map<number, Height>();
+
   constructor(
     private readonly queue: ReviewQueue,
     private readonly lane: string,
   ) {}
 
-  /** The verdict that stands on a measurement; what waits is written as reopened. */
-  readonly given: Ledger<number, Pick<GivenVerdict, "verdict" | "reason">> = {
+  /** The verdict that stands on a revision; what waits is written as reopened. Only one's own is taken back. */
+  readonly given: Ledger<number, Pick<GivenVerdict, "verdict" | "reason"> & { revision: number }> = {
     read: (id) => {
-      const m = this.queue.find(id)?.measurement;
-      if (!m || isWaiting(m)) return { verdict: "reopened", reason: null };
-      return { verdict: m.review.verdict as GivenVerdict["verdict"], reason: m.review.reason };
+      const m = this.queue.find(id)?.measurement ?? this.last.get(id);
+      if (!m || isWaiting(m)) return { verdict: "reopened", reason: null, revision: m?.revision ?? 0 };
+      const { verdict, reason } = m.review;
+      return { verdict: verdict as GivenVerdict["verdict"], reason, revision: m.revision };
     },
-    write: async (id, want) => {
+    write: async (id, { verdict, reason }, left) => {
       const item = this.queue.find(id);
-      if (item) await this.give(item, { ...want, points: null });
+      const own = item?.measurement.review.reviewer?.id === me.value?.person.id;
+      if (!item || (left && !(own && sameValue(this.given.read(id), left))))
+        throw new ApiError(say("review-step-overtaken"), 0);
+      await this.give(item, { verdict, reason, points: null });
     },
   };
 
@@ -34,7 +43,9 @@ export class Verdicts {
   async give(item: ReviewItem, want: GivenVerdict): Promise<void> {
     const stored = await outbox.store(this.verdictOn(item, want));
     if (!stored) toast(say("review-verdict-kept"));
-    this.queue.replace(stored?.saved ?? expected(item.measurement, want));
+    const now = stored?.saved ?? expected(item.measurement, want);
+    this.last.set(now.id, now);
+    this.queue.replace(now);
     void refreshSurvey();
     void this.queue.readWork();
   }

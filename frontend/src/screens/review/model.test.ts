@@ -256,6 +256,88 @@ describe("the review queue", () => {
     expect(model.currentId.value).toBe(6);
   });
 
+  describe("with another list open since", () => {
+    let stands: Record<string, unknown>;
+    const readAlone = () => server.on("GET", /review-queue\?.*measurement=1/, () => [stands]);
+    const refused = () =>
+      expect(model.history.undo()).rejects.toThrow(
+        "Nothing was changed: this height has since been withdrawn, changed or given another verdict.",
+      );
+    beforeEach(async () => {
+      await open(0);
+      const [first] = items;
+      await model.judge("rejected", "It is hidden.");
+      await quiet();
+      stands = { ...first, measurement: server.stored.get(1) };
+      items = [item(6), item(8)];
+    });
+
+    it.each([
+      [
+        "another person's verdict",
+        { revision: 1 },
+        { verdict: "accepted", reason: null, reviewer: { id: 2 } },
+      ],
+      ["another person's like one's own", { revision: 1 }, { verdict: "rejected", reviewer: { id: 2 } }],
+      ["another verdict of one's own", { revision: 1 }, { verdict: "accepted", reason: null }],
+      ["other points", { revision: 2 }, {}],
+    ])("takes back nothing where %s stands there; the step stays", async (_what, facts, told) => {
+      await model.show("accepted");
+      await quiet();
+      const { review, ...before } = stands["measurement"] as Measurement;
+      stands = { ...stands, measurement: { ...before, ...facts, review: { ...review, ...told } } };
+      readAlone();
+      await refused();
+      expect(judged).toHaveLength(1);
+      expect(model.history.undoLabel.value).toBe("verdict on roof of vehicle 03");
+      expect(model.history.redoLabel.value).toBeNull();
+    });
+
+    it("does not give a verdict again on points that nobody looked at", async () => {
+      await model.history.undo();
+      await model.show("accepted");
+      await quiet();
+      stands = { ...stands, measurement: { ...server.stored.get(1), revision: 2 } };
+      readAlone();
+      await expect(model.history.redo()).rejects.toThrow("Nothing was changed");
+      expect(judged).toHaveLength(2);
+      expect(model.history.redoLabel.value).toBe("verdict on roof of vehicle 03");
+    });
+
+    it("takes back nothing where the height was withdrawn; the list that is shown stays", async () => {
+      await model.show("accepted");
+      await quiet();
+      server.on("GET", /review-queue\?.*measurement=1/, () => []);
+      await refused();
+      expect(model.history.undoLabel.value).toBe("verdict on roof of vehicle 03");
+      expect(model.currentId.value).toBe(6);
+    });
+
+    it("takes a verdict back while that list is on its way", async () => {
+      model.go(-1);
+      expect(model.currentId.value).toBe(1);
+      readAlone();
+      const shown = model.show("accepted");
+      expect(model.queue.items.value).toBeNull();
+      await model.history.undo();
+      await shown;
+      expect(judged.at(-1)).toMatchObject({ verdict: "reopened", seen: "rejected" });
+    });
+
+    it("has a step for a verdict that was stored when its list was gone", async () => {
+      const under = model.judge("accepted");
+      await model.show("accepted");
+      await under;
+      await quiet();
+      server.on("GET", /review-queue\?.*measurement=2/, () => [
+        { ...stands, measurement: server.stored.get(2) },
+      ]);
+      await model.history.undo();
+      expect(judged.at(-1)).toMatchObject({ verdict: "reopened", seen: "accepted" });
+      expect(model.currentId.value).toBe(2);
+    });
+  });
+
   it("leaves no step and nothing to send where a verdict was refused", async () => {
     await open(0);
     server.on("POST", /\/reviews$/, () => {

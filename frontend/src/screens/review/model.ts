@@ -9,6 +9,7 @@ import { telling, toast, toastProblem } from "../../core/toasts";
 import type { Measurement, ReviewItem } from "../../core/types";
 import { vehicleName } from "../../core/words";
 import { Rejection } from "../../parts/verdicts/rejection";
+import { beside } from "../../parts/worklist";
 import { type Again, BlindClicks } from "../../viewer/blind";
 import { Geometry } from "../../viewer/geometry";
 import { fromServer, type ImagePoint, pair } from "../../viewer/points";
@@ -49,7 +50,7 @@ export class ReviewModel {
   readonly history: History = new History(() => {
     const id = this.currentId.peek();
     return async () => {
-      const item = id !== null && id !== this.currentId.value && (await this.queue.bring(id));
+      const item = id !== null && id !== this.current.value?.measurement.id && (await this.queue.bring(id));
       if (item) this.open(item);
     };
   });
@@ -137,9 +138,8 @@ export class ReviewModel {
     await this.load();
   }
 
-  isHidden(item: ReviewItem): boolean {
-    if (!item.judged.blind || !may("reviewer") || this.revealed.value.has(item.measurement.id)) return false;
-    return isWaiting(item.measurement);
+  isHidden({ judged, measurement: m }: ReviewItem): boolean {
+    return judged.blind && may("reviewer") && !this.revealed.value.has(m.id) && isWaiting(m);
   }
 
   async choosePlan(blind_one_in: number): Promise<void> {
@@ -194,7 +194,7 @@ export class ReviewModel {
   }
 
   go(step: 1 | -1): void {
-    const next = this.queue.beside(this.currentId.value, step);
+    const next = beside(this.queue.items.value ?? [], this.currentId.value, step);
     if (next) this.open(next);
     else if (step === 1 && this.queue.more.value) void this.queue.loadMore().then(() => this.go(1));
     else toast(say(step === 1 ? "review-queue-end" : "review-queue-start"));
@@ -221,7 +221,7 @@ export class ReviewModel {
     const item = this.current.value;
     const fix = this.fix.value;
     if (!item || !(verdict === "rejected" ? this.mayReject : this.mayJudge)) return;
-    const { id, target } = item.measurement;
+    const { id, target, revision } = item.measurement;
     const frame = this.ofFrame.value?.frame;
     this.busy.value = true;
     try {
@@ -234,7 +234,7 @@ export class ReviewModel {
       else
         await this.history.run(
           say("review-step-verdict", { target, vehicle: vehicleName(item.vehicle.number) }),
-          (changes) => changes.write(this.given.given, id, { verdict, reason: reason ?? null }),
+          (changes) => changes.write(this.given.given, id, { verdict, reason: reason ?? null, revision }),
         );
       if (verdict !== "reopened") this.goOn(id);
     } catch (error) {

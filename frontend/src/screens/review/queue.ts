@@ -4,7 +4,7 @@ import { asked } from "../../core/address";
 import { api } from "../../core/api";
 import { telling, toastProblem } from "../../core/toasts";
 import type { ReviewItem, ReviewPlan, ReviewWork, Verdict } from "../../core/types";
-import { beside, nextThat } from "../../parts/worklist";
+import { nextThat } from "../../parts/worklist";
 import { type Height, readHeight } from "./kinds";
 
 /** The states that the queue can be asked for; reopened ones are to review again. */
@@ -49,30 +49,26 @@ export class ReviewQueue {
   }
 
   async loadMore(): Promise<void> {
-    const items = this.items.value ?? [];
-    const last = items.at(-1);
-    if (!last || !this.more.value) return;
+    const after = this.items.value?.at(-1)?.measurement.id;
+    if (!after || !this.more.value) return;
     await telling(async () => {
-      const page = await this.read({ limit: PAGE, after: last.measurement.id });
-      const known = new Set(items.map((item) => item.measurement.id));
-      this.items.value = [...items, ...page.filter((item) => !known.has(item.measurement.id))];
+      const page = await this.read({ limit: PAGE, after });
+      const items = this.items.value ?? [];
+      if (items.at(-1)?.measurement.id !== after) return; // another list, or more of this one, is there by now
+      this.items.value = [...items, ...page.filter((item) => !this.find(item.measurement.id))];
       this.more.value = page.length === PAGE;
     });
   }
 
   /** A measurement as it stands; one of another state, which this list does not show, from the server, before the list. */
   async bring(id: number): Promise<ReviewItem | undefined> {
-    const alone = this.find(id) ? [] : await this.read({ measurement: id, state: "all" });
-    this.items.value = [...alone, ...(this.items.value ?? [])];
+    const [alone] = this.find(id) ? [] : await this.read({ measurement: id, state: "all" });
+    if (alone && !this.find(id)) this.items.value = [alone, ...(this.items.value ?? [])];
     return this.find(id);
   }
 
   find(id: number | null): ReviewItem | undefined {
     return this.items.value?.find((item) => item.measurement.id === id);
-  }
-
-  beside(id: number | null, step: 1 | -1): ReviewItem | undefined {
-    return beside(this.items.value ?? [], id, step);
   }
 
   /** The next after an item that waits for this person's verdict; from the beginning if none comes after it. */
@@ -106,14 +102,10 @@ export class ReviewQueue {
 
   /** Reads a measurement anew; answers whether it has another revision now, which is then in its place. */
   async refresh(measurement_id: number): Promise<boolean> {
-    try {
-      const now = await readHeight(measurement_id);
-      if (!now || now.revision === this.find(measurement_id)?.measurement.revision) return false;
-      this.replace(now);
-      return true;
-    } catch {
-      return false; // why it is asked for has been said
-    }
+    const now = await readHeight(measurement_id).catch(() => null); // why it is asked for has been said
+    if (!now || now.revision === this.find(measurement_id)?.measurement.revision) return false;
+    this.replace(now);
+    return true;
   }
 
   /** An administrator's choice, for everybody who reviews this survey; answers whether it was made. */
@@ -134,19 +126,13 @@ export class ReviewQueue {
   }
 
   async readWork(): Promise<void> {
-    try {
-      this.work.value = await api.ask("GET /surveys/{survey_id}/review-work", { survey_id: this.surveyId });
-    } catch {
-      // it is read again after the next verdict
-    }
+    const answer = api.ask("GET /surveys/{survey_id}/review-work", { survey_id: this.surveyId });
+    this.work.value = await answer.catch(() => this.work.value); // it is read again after the next verdict
   }
 
   private async readPlan(): Promise<void> {
-    const survey_id = this.surveyId;
-    [this.plan.value, this.work.value] = await Promise.all([
-      api.ask("GET /surveys/{survey_id}/review-plan", { survey_id }),
-      api.ask("GET /surveys/{survey_id}/review-work", { survey_id }),
-    ]);
+    const answer = api.ask("GET /surveys/{survey_id}/review-plan", { survey_id: this.surveyId });
+    [this.plan.value] = await Promise.all([answer, this.readWork()]);
   }
 
   private read(page: {

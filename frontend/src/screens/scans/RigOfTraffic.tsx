@@ -6,7 +6,7 @@ import { useAsked } from "../../core/resource";
 import { may } from "../../core/session";
 import { telling, toast } from "../../core/toasts";
 import type { Scan } from "../../core/types";
-import { fixed, formatLength, lengthUnit } from "../../core/units";
+import { fixed, formatCount, formatLength, lengthUnit } from "../../core/units";
 import { type RigTyped, typedLength } from "./rig";
 
 interface Props {
@@ -113,7 +113,7 @@ export function RigOfTraffic({ scan, use, narrow, changed }: Props) {
             (one) => (one.value === null ? sentenceOf(one.reason) : undefined),
             undefined,
             num(say("scans-traffic-value"), (one) => one.value),
-            num(say("scans-traffic-from"), (one) => one.n),
+            num(say("scans-traffic-from"), (one) => formatCount(one.n)),
           ),
           ...(narrow ? [] : [num(say("scans-traffic-in-force"), (one) => one.inForce)]),
           actions(

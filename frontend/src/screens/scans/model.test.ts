@@ -101,6 +101,14 @@ describe("a window that gets another size", () => {
   });
 });
 
+it("goes from a vehicle that is not listed any more to the last and the first", async () => {
+  for (const by of [-1, 1] as const) {
+    model.choose(77);
+    model.step(by);
+    expect([model.chosenId.value, toasts.value]).toEqual([9, []]);
+  }
+});
+
 describe("the strips", () => {
   it("go to the screen and back, each camera in its own window", () => {
     for (const at of [

@@ -142,7 +142,7 @@ export class ScanModel implements Strips {
   }
 
   step(by: 1 | -1): void {
-    const next = beside(this.vehicles.value, this.chosenId.value, by);
+    const next = beside(this.vehicles.value, this.chosen.value?.id ?? null, by);
     if (next) this.choose(next.id);
     else toast(say(by === 1 ? "scan-last-vehicle" : "scan-first-vehicle"));
   }
