@@ -24,7 +24,7 @@ def notes_of(finder: Finder) -> list[Said]:
     """A saying for each thing that a finder saw besides vehicles, after `finish`; empty if nothing."""
     seconds = max(finder.watchers[0].lines / finder.rig.line_rate_hz, 1e-9)
     notes = [_none_found(finder), _swapped(finder), _too_many_alone(finder)]
-    notes += [_rests_again(finder), _moved_on(finder), _jumps(finder), _moves(finder)]
+    notes += [_rests_again(finder), _jumps(finder), _moves(finder)]
     for number, watcher in enumerate(finder.watchers, 1):
         notes += [
             _unrest(number, watcher),
@@ -65,12 +65,6 @@ def _rests_again(finder: Finder) -> Said | None:
     """What comes to rest before one that stands is told as another; it may be the same, moved on."""
     rests = max(watcher.rests_again for watcher in finder.watchers)
     return Said("scan-run-rests-again", count=rests) if rests else None
-
-
-def _moved_on(finder: Finder) -> Said | None:
-    """What was taken for the one that stood, moved on, may be another that stopped before it."""
-    moved = max(watcher.moved_on for watcher in finder.watchers)
-    return Said("scan-run-moved-on", count=moved) if moved else None
 
 
 def _jumps(finder: Finder) -> Said | None:

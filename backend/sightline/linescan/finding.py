@@ -115,8 +115,7 @@ class Finder:
         )
         self.margin = max(2 * step, round(0.02 * rate))
         self.watchers = (Watcher(self.grid, self.spans), Watcher(self.grid, self.spans))
-        for watcher, other, roads in zip(self.watchers, self.watchers[::-1], behind, strict=True):
-            watcher.beside = other
+        for watcher, roads in zip(self.watchers, behind, strict=True):
             watcher.leave_untold(roads)
         self.bits = bits
         self.found = 0

@@ -15,7 +15,6 @@ from sightline.linescan.background import (
     same_but_for_light,
     same_but_moved,
 )
-from sightline.linescan.creeping import Shown, View, has_moved_on
 from sightline.linescan.middle import median
 from sightline.linescan.parts import Pixels
 
@@ -96,7 +95,7 @@ class Watcher:
     What stands in view becomes the background, before which others pass; its event goes on until the road is
     seen again, and theirs wait for it. What stands for too long, or until another stands before it, is given
     up: theirs wait no longer, and its own comes after them, when it has left. `rests_again`: how often that
-    was: the other may be the same that moved on a little, which neither this camera nor `beside` it shows.
+    was, for the other may be the same that moved on a little.
     """
 
     grid: Grid
@@ -106,7 +105,6 @@ class Watcher:
     jumps: int = 0
     moves: int = 0
     rests_again: int = 0
-    moved_on: int = 0
     lines: int = 0
     saturated_lines: float = 0.0
     bits: int = 8
@@ -118,10 +116,6 @@ class Watcher:
     _before: NDArray[np.float32] | None = None
     _given_up: list[_Open] = field(default_factory=list)
     _passed: bool = False
-    beside: "Watcher | None" = None
-    _shown: Shown = field(default_factory=Shown)
-    _rested: int = 0
-    _judged: tuple[int, bool] = (-1, False)
 
     @property
     def busy_since(self) -> float:
@@ -155,10 +149,6 @@ class Watcher:
             # its rest is no vehicle of its own
             end = self.lines + len(block)
             self._open = _Open(end, end, self._open.road, told=True)
-        if self._open or self._stood:
-            self._shown.add(self.lines, cells, self.road)
-        else:
-            self._shown.forget()
         self._refresh(block, there)
         self.saturated_lines += len(block) * float(np.mean(block[::32] >= (1 << self.bits) - 1))
         self.lines += len(block)
@@ -363,55 +353,11 @@ class Watcher:
         self._open.still |= self._still >= self.spans.still
         if self._still < self.spans.stuck:
             return []
-        if self._moved_on(mean):
-            self.moved_on += 1
-            self._is_part_of_what_stood()
-        else:
-            self.rests_again += self._stood is not None
-            self._give_up()
-            self._standing = self._open
-        self._rested = self.lines
+        self.rests_again += self._standing is not None or bool(self._given_up)
+        self._give_up()
+        self._standing = self._open
         self._take(block)
         return []
-
-    @property
-    def _stood(self) -> _Open | None:
-        """What came to stand last and has not left."""
-        return self._standing or (self._given_up[-1] if self._given_up else None)
-
-    def _moved_on(self, now: NDArray[np.float32]) -> bool:
-        """Whether what rests, `now` (bands,), is what stood; both cameras say the same of it."""
-        other = self.beside
-        if self._stood is None or other is None or other.road is None:
-            return False
-        line, moved = other._judged
-        if line <= self._rested:
-            views = self._view(now), other._view(None)
-            theirs = other._stood or other._open
-            first = theirs is None or self._stood.front <= theirs.front
-            moved = has_moved_on(*(views if first else views[::-1]), self._rested, self.grid)
-        self._judged = (self.lines, moved)
-        return moved
-
-    def _view(self, now: NDArray[np.float32] | None) -> View:
-        """What this camera tells of what stood and of what rests `now` (bands,), None: its last block."""
-        assert self.road is not None
-        road = self._stood.road if self._stood else self.road
-        if now is None:
-            now = self.road.pooled if self._before is None else np.asarray(self._before.mean(0), np.float32)
-        return View(road, self.road.pooled, now, self._shown)
-
-    def _is_part_of_what_stood(self) -> None:
-        """Who waits and was seen since that last stood still is a part of it, and may be one if it was seen
-        since it stood there.
-        """
-        assert self._open is not None
-        line: float = self._open.front
-        while self._waiting and line - self._waiting[-1].rear < self.spans.still:
-            line = self._waiting.pop().front
-        self._waiting = [
-            replace(event, leaving=event.leaving or event.front >= self._rested) for event in self._waiting
-        ]
 
     def _rest(self, block: Pixels) -> None:
         """The picture has rested, and yet parts of it are taken for something before the road, by their

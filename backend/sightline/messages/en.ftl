@@ -6978,10 +6978,6 @@ scan-run-rests-again = { $count ->
     [one] Once something came to rest in front of a standing vehicle. It
    *[other] { NUMBER($count) } times something came to rest in front of a standing vehicle. Each
  } counts as another vehicle, but may be the same one that moved on a little: look at the strips.
-scan-run-moved-on = { $count ->
-    [one] Once a standing vehicle moved on a little and came to rest again. It
-   *[other] { NUMBER($count) } times a standing vehicle moved on a little and came to rest again. Each time it
- } counts as the same one, but may be another that stopped in front of it: look at the strips.
 scan-run-light-changed = The brightness changed suddenly { $count ->
     [one] once
    *[other] { NUMBER($count) } times

@@ -7051,7 +7051,6 @@ scan-run-swapped = { NUMBER($reversed) } véhicules sur { NUMBER($found) } ont a
 scan-run-alone = { $alone } objets ne sont passés que devant une caméra : vérifiez que les deux montrent la même voie, et contrôlez base et cadence de lignes.
 scan-run-stood-in-front = Un véhicule s’est arrêté devant un autre à l’arrêt ; il peut manquer, ainsi que des véhicules passés pendant ce temps.
 scan-run-rests-again = Quelque chose s’est arrêté devant un véhicule à l’arrêt ({ NUMBER($count) } fois). Chaque arrêt compte comme un autre véhicule, mais c’est peut-être le même, un peu plus loin : regardez les bandes.
-scan-run-moved-on = Un véhicule à l’arrêt a un peu avancé puis s’est arrêté de nouveau ({ NUMBER($count) } fois). Il compte comme le même véhicule, mais c’est peut-être un autre qui s’est arrêté devant lui : regardez les bandes.
 scan-run-light-changed = La luminosité a varié brusquement ({ NUMBER($count) } fois) ; les véhicules passés à ce moment peuvent manquer.
 scan-run-camera-moved = Une caméra a bougé ({ NUMBER($count) } fois) : depuis, la chaussée est quelques rangées plus haut ou plus bas ; fixez la caméra solidement.
 scan-run-road-unsteady = La chaussée vide de la caméra { $camera } varie de { $percent } % d’une ligne à l’autre : neige, pluie, ou véhicule au début ; enregistrez d’abord la chaussée vide.
