@@ -418,6 +418,27 @@ def test_who_stands_where_one_recording_goes_on_from_another_is_listed_once(
     listed, counted = listed_and_counted(capsys, place)
     name = "Hill: {}.json" if kept == "archive" else "{}.json"
     assert (listed, counted) == ([name.format(one) for one in "aab"], 3)
+    if kept == "archive":
+        with ArchiveTables(place) as tables:
+            assert sum(row["vehicles"] for row in tables.intervals(Asked())) == counted
+            assert [site.vehicles for site in tables.sites()] == [counted]
+
+
+@pytest.mark.parametrize(("later_s", "counted"), [(0.05, 3), (0.2, 4), (30.0, 4)])
+def test_an_archive_counts_by_one_rule_whoever_asks(
+    later_s: float, counted: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """`traffic flows` and `flow` told of an archive in two ways who counts in the recording before."""
+    for number, (by_s, cars) in enumerate(
+        [(0.0, [passing(10.0), STANDS]), (600.0 + later_s, [IN_VIEW, passing(30.0)])]
+    ):
+        path = held(tmp_path / f"{number}.json", by_s, cars)
+        begun = LINE_0 + timedelta(seconds=by_s)
+        add_recorded(tmp_path / "a", read_recorded(path, None), Stood("Hill", "", "UTC", begun, 0.1))
+    with ArchiveTables(tmp_path / "a") as tables:
+        by_sql = sum(row["vehicles"] for row in tables.intervals(Asked()))
+    listed, by_flow = listed_and_counted(capsys, tmp_path / "a")
+    assert len(listed) == by_flow == by_sql == counted
 
 
 @pytest.mark.parametrize("by_s", [0.0, 599.0, 600.0])
@@ -461,6 +482,58 @@ def test_tables_count_alike_in_intervals_of_every_length(
     written(tmp_path / "b.csv", [in_view, vehicle(2, 3340.0, 0.2, 20.0, 4.0, 2)])
     counts = [listed_and_counted(capsys, tmp_path, minutes=minutes) for minutes in (1, 5, 15, 60)]
     assert counts == 4 * [(["a.csv"] * 2 + ["b.csv"] * 2, 4)]
+
+
+_RESTS = {**vehicle(2, 100.0, 30.0, None, None, None), "reason": str(STOPPED)}
+_STOOD = {**vehicle(2, 100.0, 0.2, None, None, None), "rear_line_1": "", "reason": str(STOOD)}
+
+
+@pytest.mark.parametrize(
+    ("last", "begins_s", "overlaps_s", "may_twice"),
+    [
+        (_RESTS, 99.0, 31, True),
+        (_RESTS, 130.05, None, True),
+        (_STOOD, 99.0, None, True),
+        (_STOOD, 600.0, None, True),
+        (ROWS[-1], 671.0, None, False),
+    ],
+)
+def test_no_recording_goes_on_from_a_table_for_it_does_not_say_where_it_ends(
+    last: Row,
+    begins_s: float,
+    overlaps_s: int | None,
+    may_twice: bool,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """One that stops last stood at the end of what is known, whenever it left; a note says that it may count
+    twice. What is known goes on to the last rear.
+    """
+    written(tmp_path / "a.csv", [vehicle(1, 10.0, 0.2, 20.0, 4.0, 2), last])
+    in_view = {**vehicle(1, begins_s, 8.0, None, None, None), "front_line_1": "0", "rear_line_1": "40000"}
+    in_view["reason"] = str(STOPPED)
+    written(tmp_path / "b.csv", [in_view, vehicle(2, begins_s + 300.0, 0.2, 20.0, 4.0, 2)])
+    assert listed_and_counted(capsys, tmp_path) == (["a.csv"] * 2 + ["b.csv"] * 2, 4)
+    notes = json.loads(flow(capsys, tmp_path, "--json"))["notes"]
+    assert [one for one in notes if "overlap" in one] == (
+        [f"a.csv and b.csv overlap for {overlaps_s} s: a vehicle that both contain counts in each."]
+        if overlaps_s
+        else []
+    )
+    said = "A vehicle that still stood at its end may count again in the next recording"
+    assert [one[:5] for one in notes if said in one] == (["a.csv"] if may_twice else [])
+
+
+def test_files_of_one_name_that_overlap_are_told_with_their_places(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    paths = [tmp_path / name / "cars.json" for name in ("one", "two")]
+    for path in paths:
+        path.parent.mkdir()
+        held(path, 0.0, [passing(10.0)])
+    (note,) = json.loads(flow(capsys, *paths, "--json"))["notes"]
+    first, second = (f"{path}: cars.json" for path in paths)
+    assert note.startswith(f"{first} and {second} overlap for 600 s")
 
 
 def test_an_archive_agrees_with_its_own_figures(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

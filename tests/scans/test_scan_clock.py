@@ -79,7 +79,8 @@ def test_the_page_is_told_which_line_scans_overlap(
     whole_s = scans_samples.facts().lines / scans_samples.RIG.line_rate_hz
     said = "Gate and Gate again overlap for {} s: a vehicle that both contain counts in each."
     assert notes() == [said.format(round(whole_s - 3600))]
-    assert notes("hour_from=10&hour_to=11") == [said.format(3600)]
+    assert notes("hour_from=8&hour_to=10") == [said.format(3000)]
+    assert notes("hour_from=10&hour_to=11") == []  # nobody counts in it
     assert notes("hour_to=9") == notes("filmed_from=2026-05-04") == []
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from sightline.linescan.parts import CUT, STOOD, STOPPED, Rig
+from sightline.linescan.parts import CUT, STOOD, STOPPED, Lane, Rig
 from sightline.linescan.rig import baseline_of
 from sightline.messages.said import Said
 from sightline.recordings.filming import FilmedWithin, Filming
@@ -190,6 +190,8 @@ def test_one_of_unknown_lane_that_stands_may_stand_in_any() -> None:
 
 
 _TAPED, _NEAR, _OTHER = Rig(0.5, 8000.0, 0.002), Rig(0.503, 4000.0, 0.001), Rig(0.6, 8000.0, 0.002)
+_OPENING = Rig(0.5, 8000.0, 0.0005, divergence_rad=0.02, distance_m=5.0)
+_OF_LANES = Rig(0.5, 8000.0, 0.0005, divergence_rad=0.02, lanes=(Lane("near", 4.0), Lane("far", 6.0)))
 
 
 @pytest.mark.parametrize(
@@ -198,6 +200,12 @@ _TAPED, _NEAR, _OTHER = Rig(0.5, 8000.0, 0.002), Rig(0.503, 4000.0, 0.001), Rig(
         ({}, {}, True),
         ({"rig": _TAPED}, {"rig": _NEAR}, True),  # as calibrated since, at another line rate
         ({"rig": _TAPED}, {}, True),
+        ({"rig": Rig(0.5, 8000.0)}, {"rig": Rig(0.501, 8000.0)}, True),  # no u is told of either
+        ({"rig": Rig(0.5, 8000.0)}, {"rig": Rig(0.53, 8000.0)}, False),
+        ({"rig": Rig(0.5, 8000.0, 0.06)}, {"rig": _OTHER}, True),
+        ({"rig": _OPENING}, {"rig": Rig(0.6, 8000.0, 0.0005)}, True),  # of 0.6 m at the vehicles
+        ({"rig": _OPENING}, {"rig": Rig(0.5, 8000.0, 0.0005)}, False),
+        ({"rig": _OF_LANES}, {"rig": Rig(0.6, 8000.0, 0.0005)}, True),
         ({"rig": _TAPED}, {"rig": _OTHER}, False),
         ({"rig": _TAPED, "video": "7"}, {"rig": _OTHER, "video": "7"}, True),  # two cuts of one video
         ({"site": "Hill", "video": "7"}, {"site": "Dale", "video": "7"}, False),
@@ -221,7 +229,7 @@ def test_recordings_of_two_places_do_not_overlap(
         found = seen_in_each(watched, [stands, in_view])
         return notes_of_overlaps(found), [car.told_before for each in found for car in each.vehicles]
 
-    note = Said("scans-traffic-overlap", earlier="a", later="b", seconds=600)
+    note = Said("scans-traffic-overlap", earlier="a", later="b", seconds=600, others=0)
     assert notes_and_told(3000.0) == ([note] if said else [], [False, False])
     assert notes_and_told(3600.0) == ([], [False, said])
 
@@ -243,16 +251,63 @@ def test_an_overlap_is_of_the_days_and_hours_asked_for(filmed: FilmedWithin, sec
         Watched(number, str(number), Filming(at, "Europe/Paris"), 3600.0 * (4 - number))
         for number, at in enumerate(starts, 1)
     ]
-    cars = [replace(seen(1), scan_id=number, since_s=10.0) for number in (1, 2)]
+    cars = [
+        replace(seen(1), scan_id=number, since_s=60.0 * minute) for number in (1, 2) for minute in range(120)
+    ]
     notes = notes_of_overlaps(seen_in_each(watched, cars, filmed))
     assert [one.values["seconds"] for one in notes] == ([seconds] if seconds else [])
+
+
+@pytest.mark.parametrize(("first_s", "second_s", "said"), [(10.0, 3700.0, 0), (3700.0, 1900.0, 1)])
+def test_no_overlap_is_noted_of_whom_nobody_counts_within_the_hours(
+    first_s: float, second_s: float, said: int
+) -> None:
+    """From 13:00 on; of two recordings from 12:00 and 12:30 on."""
+    start = datetime(2026, 5, 4, 12, tzinfo=UTC)
+    clocks = [Filming(start + timedelta(seconds=at_s), "UTC") for at_s in (0.0, 1800.0)]
+    watched = [Watched(number, str(number), clock, 7200.0) for number, clock in enumerate(clocks, 1)]
+    cars = [replace(seen(1), scan_id=number, since_s=at_s) for number, at_s in ((1, first_s), (2, second_s))]
+    assert len(notes_of_overlaps(seen_in_each(watched, cars, FilmedWithin(hour_from=13)))) == said
+
+
+def test_of_several_that_overlap_at_once_each_pair_is_said() -> None:
+    """The second and the third went without a note."""
+    start = Filming(datetime(2026, 5, 4, 12, tzinfo=UTC), "UTC")
+    watched = [Watched(number, "Gate", start, 600.0 + number) for number in (1, 2, 3)]
+    cars = [replace(seen(1), scan_id=number, since_s=10.0) for number in (1, 2, 3)]
+    first, second = map(str, notes_of_overlaps(seen_in_each(watched, cars)))
+    gate = "Gate (2026-05-04T12:00:00.000+00:00)"
+    assert first == f"{gate} and {gate} overlap for 601 s: a vehicle that both contain counts in each."
+    assert second.startswith(
+        f"{gate} overlaps {gate} for 602 s and another earlier one: a vehicle that several"
+    )
+
+
+def test_who_stood_where_traffic_is_not_counted_counts_in_the_next() -> None:
+    """Vehicles of another line rate left the first out, and the second had told its own before."""
+    start = datetime(2026, 5, 4, 12, tzinfo=UTC)
+    stands = replace(seen(1), state="not_measurable", measured=False, reason=STOOD, since_s=100.0)
+    in_view = replace(stands, scan_id=2, since_s=0.0, occupied_s=5.0, front_seen=False, reason=STOPPED)
+    watched = [
+        Watched(
+            number, str(number), Filming(start + timedelta(seconds=at_s), "UTC"), 3600.0, Rig(0.5, 4000.0)
+        )
+        for number, at_s in ((1, 0.0), (2, 3600.0))
+    ]
+    counts = []
+    for rate_hz in (4000.0, 8000.0):
+        drives = replace(seen(2), since_s=50.0, line_rate_hz=rate_hz)
+        found = traffic_of_seen(seen_in_each(watched, [drives, stands, in_view]), 60, accepted_only=True)
+        counts.append([sum(one.vehicles for one in scan.intervals) for scan in found])
+        assert found[1].intervals[0].occupancy_percent.value is None
+    assert counts == [[2, 0], [0, 1]]
 
 
 def test_clocks_put_back_within_an_overlap_show_one_hour_twice() -> None:
     """02:00 to 03:00 of 25 October 2026 came twice in Paris, and both are of those hours."""
     clock = Filming(datetime(2026, 10, 24, 23, 20, tzinfo=UTC), "Europe/Paris")
     watched = [Watched(number, str(number), clock, 4 * 3600.0) for number in (1, 2)]
-    cars = [replace(seen(1), scan_id=number, since_s=10.0) for number in (1, 2)]
+    cars = [replace(seen(1), scan_id=number, since_s=3600.0) for number in (1, 2)]
     asked = FilmedWithin(hour_from=2, hour_to=3)
     (note,) = notes_of_overlaps(seen_in_each(watched, cars, asked))
     assert note.values["seconds"] == 7200

@@ -18,7 +18,7 @@ from sightline.export.build import build
 from sightline.export.measured import statistics_of
 from sightline.export.scans import scanned_motions, scans_in
 from sightline.export.seal import read_seal
-from sightline.export.traffic import traffic_in
+from sightline.export.traffic import seen_in, traffic_of_scans
 from sightline.export.verify.chain import walk
 from sightline.export.verify.derived import check_statistics
 from sightline.export.verify.described import read_description
@@ -300,10 +300,11 @@ def test_traffic_of_a_package_of_one_class_or_lighting_is_that_of_all_vehicles(
     rewrite(package, "scan_vehicles.csv", many)
     files = FolderFiles(package)
     cars = list(scanned_motions(files))
-    whole = traffic_in(files, cars, (60,))
+    whole = traffic_of_scans(seen_in(files, cars), (60,))
     assert (whole[0].intervals[0].vehicles, whole[0].intervals[0].mean_headway_s) == (9, approx(2.0))
     (package / "tables" / "selection.csv").write_text(f"by,word\r\n{','.join(chosen)}\r\n")
-    assert [vars(one) for one in traffic_in(files, cars, (60,))] == [vars(one) for one in whole]
+    chosen_alone = traffic_of_scans(seen_in(files, cars), (60,))
+    assert [vars(one) for one in chosen_alone] == [vars(one) for one in whole]
     assert scans_in(files, cars).counted["vehicles"] == (3 if chosen[0] == "category" else 0)
     read = list[str]()
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +26,7 @@ from sightline.linescan.traffic import (
 if TYPE_CHECKING:
     from sightline.scans.statistics.service import VehicleMotion
     from sightline.scans.statistics.traffic import ScanTraffic, Seen, ShownInterval
+    from sightline.traffic.results import Results
 
 _FILE = click.Path(dir_okay=False, path_type=Path)
 _SCANS = "line_scans.csv"
@@ -59,7 +62,7 @@ def flow(
     rows = [row for each in found for one in each.traffic for row in _rows_of_intervals(one)]
     vehicles = [row for each in found for row in each.vehicles]
     notes = [note for each in found for note in each.notes + _notes_of_unplaced(each.traffic, minutes[0])]
-    notes += map(str, notes_of_overlaps([seen for each in found for seen in each.seen]))
+    notes += map(str, notes_of_overlaps(_told_apart(places, found)))
     if vehicles_csv is not None:
         write_whole(vehicles_csv, csv_text(VEHICLE_COLUMNS, vehicles, cell_of))
     table = csv_text(COLUMNS, rows, cell_of)
@@ -107,6 +110,35 @@ class OfPlace:
     seen: list[Seen]
 
 
+def _told_apart(places: Sequence[Path], found: Sequence[OfPlace]) -> list[Seen]:
+    """The recordings of all places; those of equal names with their place."""
+    names = Counter(seen.watched.name for each in found for seen in each.seen)
+    return [
+        replace(seen, watched=replace(seen.watched, name=f"{place}: {seen.watched.name}"))
+        if names[seen.watched.name] > 1
+        else seen
+        for place, each in zip(places, found, strict=True)
+        for seen in each.seen
+    ]
+
+
+def _notes_of_ends(results: Sequence[Results]) -> list[str]:
+    """Of those whose ends are not stated."""
+    starts = [datetime.fromisoformat(result.clock.at()) for result in results]
+    return [
+        f"{result.name} does not say how long was recorded: its first and last interval count as fully "
+        "observed."
+        + (
+            " A vehicle that still stood at its end may count again in the next recording, or be missing in "
+            "its occupancy."
+            if start < max(starts) and result.seen().standing
+            else ""
+        )
+        for result, start in zip(results, starts, strict=True)
+        if result.watched_s is None
+    ]
+
+
 def _of_place(place: Path, minutes: Sequence[int]) -> OfPlace:
     from sightline.infra.csv_package.files import places_of
     from sightline.traffic.results import results_in, traffic_of
@@ -118,12 +150,7 @@ def _of_place(place: Path, minutes: Sequence[int]) -> OfPlace:
     results, left = results_in(place)
     traffic = [each for length in minutes for each in traffic_of(results, length)]
     notes = [f"{name} in {place} has no scanned vehicles and is skipped." for name in left]
-    notes += [
-        f"{result.name} does not say how long was recorded: its first and last interval count as fully "
-        "observed."
-        for result in results
-        if result.watched_s is None
-    ]
+    notes += _notes_of_ends(results)
     notes += [
         f"The uncertainties of the times of {result.name} and near_edge are left out, because that of its "
         "start is not stated there."

@@ -14,7 +14,7 @@ import numpy as np
 from sightline.arrays import Ints
 from sightline.enums import Correction, Rounding, Target
 from sightline.export.scans import scan_heights_in, scanned_motions, scans_in
-from sightline.export.traffic import traffic_in
+from sightline.export.traffic import seen_in, traffic_of_scans
 from sightline.geometry.documents import camera_across_m
 from sightline.infra.csv_package.files import (
     Files,
@@ -25,6 +25,7 @@ from sightline.infra.csv_package.files import (
 )
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.forms import read_json
+from sightline.linescan.traffic import MINUTES
 from sightline.measurements.csv import MEASUREMENTS
 from sightline.measurements.sheets.csv import counting_in
 from sightline.poses.csv import pose_path
@@ -129,7 +130,7 @@ def statistics_of(files: Files) -> PackageStatistics:
         statistics,
         scans_in(files, scanned),
         scan_heights_in(files),
-        traffic_in(files, scanned),
+        traffic_of_scans(seen_in(files, scanned), MINUTES),
     )
 
 

@@ -1,6 +1,8 @@
 """Traffic of an export's line scans: from its own rows, as tables of their own."""
 
+import json
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import fields
 from typing import get_args, get_type_hints
 
 from sightline.enums import ScanDirection
@@ -19,7 +21,8 @@ from sightline.infra.csv_package.files import Files, read_rows, undo_safe_text
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.schema import CODE, Column, ids_of
 from sightline.linescan.parts import Rig
-from sightline.linescan.traffic import MINUTES, Figure, Interval
+from sightline.linescan.rig import rig_from
+from sightline.linescan.traffic import Figure, Interval
 from sightline.results.csv import selection_in
 from sightline.scans.clock import clock_of
 from sightline.scans.statistics.service import VehicleMotion
@@ -138,17 +141,8 @@ _PLAIN = [
 _FIGURES = [name for name, kind in get_type_hints(Interval).items() if kind is Figure]
 
 
-def traffic_in(
-    files: Files, vehicles: Sequence[VehicleMotion], lengths: Sequence[int] = MINUTES
-) -> tuple[ScanTraffic, ...]:
-    """The traffic of a package's line scans, `vehicles` all its vehicles; intervals of the first length
-    first, of `lengths` in minutes.
-    """
-    return traffic_of_scans(seen_in(files, vehicles), lengths)
-
-
 def traffic_of_scans(seen: Sequence[Seen], lengths: Sequence[int]) -> tuple[ScanTraffic, ...]:
-    """The same of line scans that were read."""
+    """The traffic of line scans of a package, in intervals of the first of `lengths`, minutes, first."""
     return tuple(one for minutes in lengths for one in traffic_of_seen(seen, minutes, accepted_only=True))
 
 
@@ -170,7 +164,9 @@ def _watched(row: Mapping[str, str]) -> Watched:
             "u_start_s": figure_of(row["u_start_s"]),
         }
     )
-    rig = Rig(float(row["baseline_m"]), float(row["line_rate_hz"]), float(row["u_baseline_m"]))
+    told = {one.name: figure_of(row.get(one.name, "")) for one in fields(Rig) if one.name != "lanes"}
+    given = {name: value for name, value in told.items() if value is not None}
+    rig = rig_from({**given, "lanes": json.loads(row.get("lanes") or "[]")})
     return Watched(
         scan_id=int(row["id"]),
         name=undo_safe_text(row["name"]),

@@ -136,6 +136,8 @@ class Profile:
 
 #: For what stands for longer nobody waits: it may be no vehicle, but a road that changed for good.
 STANDS_S = 60.0
+#: What is in view of a recording that begins so shortly after another ended is what stood then.
+GOES_ON_S = 0.1
 #: Why there is no motion of a vehicle that stood in view.
 STOPPED = Said("scan-motion-stopped")
 #: Of one that was in view for longer, and that nobody saw leave.

@@ -28,6 +28,8 @@ LEAST_VEHICLES = 5
 LEAST_U_M = 1e-3
 # A median's standard deviation over a mean's, for normal errors.
 _MEDIAN = sqrt(np.pi / 2)
+# Of the larger of two baselines: no tape or calibration errs by so much.
+_OTHER_RIG_RATIO = 0.05
 
 
 @dataclass(frozen=True)
@@ -122,11 +124,14 @@ def lane_named(rig: Rig, name: str | None) -> Lane | None:
 
 
 def may_be_one_rig(first: Rig, second: Rig) -> bool:
-    """Whether two rigs may be one pair of cameras: their baselines agree within their combined U95. All else
-    of a rig may be set anew from one recording to the next.
+    """Whether two rigs may be one pair of cameras, taped or calibrated at two times: their baselines at the
+    vehicles differ by no more than 5 % of the larger, or than their combined U95.
     """
-    apart_m = abs(first.baseline_m - second.baseline_m)
-    return apart_m <= COVERAGE_95 * hypot(first.u_baseline_m, second.u_baseline_m)
+    (first_m, u_first_m), (second_m, u_second_m) = (
+        baseline_of(at_lane(one, None)) for one in (first, second)
+    )
+    corrected_m = _OTHER_RIG_RATIO * max(first_m, second_m)
+    return abs(first_m - second_m) <= max(corrected_m, COVERAGE_95 * hypot(u_first_m, u_second_m))
 
 
 def at_lane(rig: Rig, name: str | None, way: ScanDirection | None = None) -> Rig:

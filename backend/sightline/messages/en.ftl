@@ -5623,7 +5623,11 @@ scans-traffic-no-start = The start of this line scan is not confirmed. Confirm i
 scans-traffic-other-minutes = Traffic cannot be counted in intervals of { $minutes } min; choose 1, 5, 15 or 60.
 scans-traffic-not-read = This line scan is not imported, so its traffic is unknown.
 scans-traffic-other-rate = Vehicles of this line scan were measured with another line rate, so its traffic is unknown. Measure them again.
-scans-traffic-overlap = { $earlier } and { $later } overlap for { NUMBER($seconds) } s: a vehicle that both contain counts in each.
+scans-traffic-overlap = { $others ->
+    [0] { $earlier } and { $later } overlap for { NUMBER($seconds) } s: a vehicle that both contain counts in each.
+    [one] { $later } overlaps { $earlier } for { NUMBER($seconds) } s and another earlier one: a vehicle that several contain counts in each.
+   *[other] { $later } overlaps { $earlier } for { NUMBER($seconds) } s and { NUMBER($others) } other earlier ones: a vehicle that several contain counts in each.
+}
 scans-no-name = A scan needs a name; fill it in.
 scans-worked-on = People have worked on the vehicles of this line scan, so it cannot be deleted: an audit needs its strips.
 scans-recording-other-survey = The recording belongs to another survey; choose one of this survey’s.

@@ -5687,7 +5687,11 @@ scans-traffic-no-start = Le début de ce balayage n’est pas confirmé ; conf
 scans-traffic-other-minutes = Le trafic ne se compte pas en tranches de { $minutes } min ; choisissez 1, 5, 15 ou 60.
 scans-traffic-not-read = Ce balayage n’est pas importé : son trafic est inconnu.
 scans-traffic-other-rate = Des véhicules de ce balayage ont été mesurés avec une autre cadence de lignes ; son trafic est inconnu. Mesurez-les à nouveau.
-scans-traffic-overlap = { $earlier } et { $later } se chevauchent pendant { NUMBER($seconds) } s : un véhicule présent dans les deux est compté dans chacun.
+scans-traffic-overlap = { $others ->
+    [0] { $earlier } et { $later } se chevauchent pendant { NUMBER($seconds) } s : un véhicule présent dans les deux est compté dans chacun.
+    [one] { $later } chevauche { $earlier } pendant { NUMBER($seconds) } s et un autre qui précède : un véhicule présent dans plusieurs est compté dans chacun.
+   *[other] { $later } chevauche { $earlier } pendant { NUMBER($seconds) } s et { NUMBER($others) } autres qui précèdent : un véhicule présent dans plusieurs est compté dans chacun.
+}
 scans-no-name = Un balayage doit avoir un nom ; indiquez-le.
 scans-worked-on = Des personnes ont travaillé sur les véhicules de ce balayage : il ne peut pas être supprimé, car un audit a besoin de ses bandes.
 scans-recording-other-survey = L’enregistrement appartient à un autre relevé ; choisissez-en un de ce relevé.

@@ -26,7 +26,7 @@ from typing import Any
 import duckdb
 
 from sightline.infra.local_time import zone_of
-from sightline.linescan.parts import AT_END_S, CUT, STANDS_S, STOOD, STOPPED
+from sightline.linescan.parts import AT_END_S, CUT, GOES_ON_S, STANDS_S, STOOD, STOPPED
 from sightline.linescan.traffic import class_names
 from sightline.statistics.distributions import too_few_for, vehicles_for_interval
 from sightline.traffic.archive import ROUGH_S, SHARED_S, VEHICLES, WATCHED, files_of, sites_of
@@ -129,7 +129,8 @@ class ArchiveTables:
         )
         read = f"{_read_parquet_sql(passed)} UNION ALL BY NAME {_NOBODY}" if passed else _NOBODY
         passed_sql = _PASSED.format(read, SHARED_S, _CUT, ROUGH_S)
-        self._db.execute(f"CREATE OR REPLACE TEMP VIEW vehicles AS {passed_sql}")
+        self._db.execute(f"CREATE OR REPLACE TEMP VIEW passings AS {passed_sql}")
+        self._db.execute(_STOOD_BEFORE)
         result = self._db.execute(query)
         names = [one[0] for one in result.description or ()]
         return [dict(zip(names, row, strict=True)) for row in result.fetchall()]
@@ -203,6 +204,45 @@ SELECT * EXCLUDE (start_at, from_s) REPLACE (
 FROM passed JOIN begun USING (recording_sha256, lane)
 """
 
+#: Who stood when a recording ended that another goes on from, `later_s` after it, in a minute at most. Who is
+#: in view as one goes on at once is told of the one before.
+_STOOD_BEFORE = f"""
+CREATE OR REPLACE TEMP TABLE days AS
+SELECT day, any_value(day_s) AS day_s, epoch(any_value(midnight_at)) AS begin_s FROM watched GROUP BY day;
+CREATE OR REPLACE TEMP TABLE ends AS
+SELECT recording_sha256, lane, min(begin_s + from_s) AS first_s, max(begin_s + to_s) AS end_s,
+  count(*) OVER (PARTITION BY recording_sha256) > 1 AS has_lanes
+FROM watched JOIN days USING (day) GROUP BY recording_sha256, lane;
+CREATE OR REPLACE TEMP TABLE shown AS
+SELECT recording_sha256, lane, count(speed_mps) > 0 AS driven, bool_or(front_line_1 <= 0) AS in_view
+FROM passings GROUP BY recording_sha256, lane;
+CREATE OR REPLACE TEMP TABLE stood_before AS
+WITH RECURSIVE stands AS (
+  SELECT recording_sha256, lane, lane AS own_lane, length_m, reason, occupied_s,
+    begin_s + since_midnight_s + occupied_s AS until_s
+  FROM passings JOIN days USING (day) WHERE reason IN ('{_STOOD}', '{_STOPPED}')
+), placed AS (
+  FROM stands UNION ALL
+  SELECT stands.* REPLACE (ends.lane AS lane) FROM stands JOIN ends USING (recording_sha256)
+  WHERE occupied_s IS NULL AND stands.lane = '' AND has_lanes AND ends.lane <> ''
+), stood_before AS (
+  SELECT next.*, length_m, own_lane, next.first_s - ends.end_s AS later_s
+  FROM placed JOIN ends USING (recording_sha256, lane) JOIN ends AS next USING (lane)
+  WHERE next.first_s BETWEEN ends.end_s - 0.001 AND ends.end_s + {STANDS_S}
+    AND (reason = '{_STOOD}' OR until_s > ends.end_s - {AT_END_S})
+  UNION
+  SELECT next.*, length_m, own_lane, next.first_s - ends.end_s FROM stood_before AS ends ANTI JOIN shown
+    ON shown.recording_sha256 = ends.recording_sha256
+    AND ((shown.lane = ends.lane AND driven) OR (shown.lane = ends.own_lane AND in_view))
+  JOIN ends AS next USING (lane)
+  WHERE next.first_s BETWEEN ends.end_s - 0.001 AND ends.end_s + {STANDS_S}
+) FROM stood_before;
+CREATE OR REPLACE TEMP VIEW vehicles AS
+SELECT * REPLACE (told_before OR (front_line_1 <= 0 AND reason IS NOT NULL AND recording_sha256 IN (
+  SELECT recording_sha256 FROM stood_before WHERE later_s <= {GOES_ON_S})) AS told_before)
+FROM passings
+"""
+
 
 def _read_parquet_sql(files: Sequence[str]) -> str:
     named = ", ".join("'" + one.replace("'", "''") + "'" for one in files)
@@ -218,13 +258,10 @@ def _intervals_sql(asked: Asked) -> str:
     begins = f"(day - DATE '1970-01-01') * {of_day}"
     classes = len(classes_of(asked.limits_m)) + 1
     return f"""
-    WITH RECURSIVE days AS (
-      SELECT day, any_value(day_s) AS day_s, epoch(any_value(midnight_at)) AS begin_s
-      FROM watched GROUP BY day
-    ), cut AS (
+    WITH cut AS (
       SELECT *, unnest(range(floor(from_s / {step})::BIGINT, ceil(to_s / {step})::BIGINT)) AS nth FROM watched
       WHERE day >= DATE '{asked.first_day or date.min}'
-    ), shown AS (
+    ), cells AS (
       SELECT lane, {begins} + nth AS cell, any_value(nth) AS nth,
         any_value(least({step}.0, day_s - nth * {step})) AS length_s,
         sum(least(to_s, (nth + 1) * {step}) - greatest(from_s, nth * {step})) AS watched_s,
@@ -236,7 +273,7 @@ def _intervals_sql(asked: Asked) -> str:
       FROM vehicles JOIN days USING (day)
       WHERE day >= DATE '{asked.first_day or date.min}' AND NOT told_before
     ), came AS (
-      SELECT *, lane AS own_lane, since_midnight_s + occupied_s AS until_s FROM vehicles JOIN days USING (day)
+      SELECT *, since_midnight_s + occupied_s AS until_s FROM vehicles JOIN days USING (day)
     ), standing AS (
       SELECT lane, day, length_m, since_midnight_s AS from_s, least(until_s, day_s) AS until_s
       FROM came WHERE occupied_s > 0
@@ -258,10 +295,6 @@ def _intervals_sql(asked: Asked) -> str:
       FROM in_cells
     ), occupied AS (
       SELECT lane, cell, kind, sum(part_s) AS occupied_s FROM parts GROUP BY lane, cell, kind
-    ), ends AS (
-      SELECT recording_sha256, lane, min(begin_s + from_s) AS first_s, max(begin_s + to_s) AS end_s,
-        count(*) OVER (PARTITION BY recording_sha256) > 1 AS has_lanes
-      FROM watched JOIN days USING (day) GROUP BY recording_sha256, lane
     ), strays AS (
       SELECT came.* REPLACE (ends.lane AS lane) FROM came JOIN ends USING (recording_sha256)
       WHERE occupied_s IS NULL AND came.lane = '' AND has_lanes AND ends.lane <> ''
@@ -271,18 +304,6 @@ def _intervals_sql(asked: Asked) -> str:
         coalesce(min(begin_s + since_midnight_s) OVER (PARTITION BY lane ORDER BY begin_s + since_midnight_s
           RANGE BETWEEN {STANDS_S} FOLLOWING AND UNBOUNDED FOLLOWING), 'inf'::DOUBLE) AS next_s
       FROM (FROM came UNION ALL FROM strays) QUALIFY occupied_s IS NULL
-    ), stood_before AS (
-      SELECT next.*, length_m, own_lane FROM (FROM came UNION ALL FROM strays) AS came
-      JOIN ends USING (recording_sha256, lane) JOIN ends AS next USING (lane)
-      WHERE next.first_s BETWEEN ends.end_s - 0.001 AND ends.end_s + {STANDS_S} AND (reason = '{_STOOD}'
-        OR (reason = '{_STOPPED}' AND came.begin_s + until_s > ends.end_s - {AT_END_S}))
-      UNION
-      SELECT next.*, length_m, own_lane FROM stood_before AS ends ANTI JOIN came
-        ON came.recording_sha256 = ends.recording_sha256
-        AND ((came.lane = ends.lane AND speed_mps IS NOT NULL)
-          OR (came.lane = ends.own_lane AND front_line_1 <= 0))
-      JOIN ends AS next USING (lane)
-      WHERE next.first_s BETWEEN ends.end_s - 0.001 AND ends.end_s + {STANDS_S}
     ), rear_unseen AS (
       SELECT lane, day, length_m, greatest(since_s - begin_s, 0) AS from_s,
         least(coalesce(stands_s, next_s) - begin_s, end_s - begin_s, day_s) AS until_s
@@ -309,7 +330,7 @@ def _intervals_sql(asked: Asked) -> str:
       FROM passed GROUP BY lane, cell, kind
     ), kinds AS (SELECT unnest(range({classes})) AS kind)
     SELECT * EXCLUDE (rising){"".join(map(_percentile_sql, asked.percents))}
-    FROM shown CROSS JOIN kinds LEFT JOIN counted USING (lane, cell, kind)
+    FROM cells CROSS JOIN kinds LEFT JOIN counted USING (lane, cell, kind)
     LEFT JOIN occupied USING (lane, cell, kind) LEFT JOIN unsure USING (lane, cell, kind)
     ORDER BY lane, cell, kind
     """

@@ -81,8 +81,8 @@ class Results:
     rig: Rig | None = None
 
     def seen(self) -> Seen:
-        """What was watched for sure: up to its last vehicle where it is not said how long."""
-        known_s = max((one.since_s or 0.0 for one in self.vehicles), default=None)
+        """What was watched for sure: until its last vehicle had passed where it is not said how long."""
+        known_s = max(((one.since_s or 0.0) + (one.occupied_s or 0.0) for one in self.vehicles), default=None)
         return self._on_clock(self.clock, known_s if self.watched_s is None else self.watched_s, 0.0)
 
     def seen_in_intervals(self, minutes: int) -> Seen:
@@ -97,7 +97,9 @@ class Results:
 
     def _on_clock(self, clock: Clock, watched_s: float | None, by_s: float) -> Seen:
         cars = [replace(one, since_s=(one.since_s or 0.0) + by_s) for one in self.vehicles]
-        return Seen(Watched(0, self.name, clock, watched_s, rig=self.rig, site=self.site), cars)
+        stated = self.watched_s is not None
+        watched = Watched(0, self.name, clock, watched_s, rig=self.rig, site=self.site, end_stated=stated)
+        return Seen(watched, cars)
 
 
 def traffic_of(results: Sequence[Results], minutes: int) -> tuple[ScanTraffic, ...]:
@@ -111,17 +113,17 @@ def results_in(place: Path) -> tuple[list[Results], list[str]]:
 
     Raises BadInput: nothing there, or a recording that cannot be read or has no start.
     """
-    results, others = _recordings_in(place)
+    if not place.is_dir():
+        return [_of_data(place, bytes_of(place))], []
+    if (place / WATCHED).is_dir():
+        return list(_of_archive(place)), []
+    results, others = _in_folder(place)
     marked = mark_told_before([one.seen() for one in results])
     told = [replace(one, vehicles=tuple(seen.vehicles)) for one, seen in zip(results, marked, strict=True)]
     return told, others
 
 
-def _recordings_in(place: Path) -> tuple[list[Results], list[str]]:
-    if not place.is_dir():
-        return [_of_data(place, bytes_of(place))], []
-    if (place / WATCHED).is_dir():
-        return list(_of_archive(place)), []
+def _in_folder(place: Path) -> tuple[list[Results], list[str]]:
     paths = [one for one in sorted(place.iterdir()) if one.is_file() and one.suffix.lower() in ENDINGS]
     ours, others = list[Results](), list[str]()
     for path in paths:

@@ -13,7 +13,7 @@ from pydantic import Field
 
 from sightline.enums import ScanDirection
 from sightline.infra.by_name import filled_from
-from sightline.linescan.parts import STANDS_S, Rig, may_still_stand, stands_at_end
+from sightline.linescan.parts import GOES_ON_S, STANDS_S, Rig, may_still_stand, stands_at_end
 from sightline.linescan.rig import may_be_one_rig
 from sightline.linescan.traffic import Interval, Passed, Stream, intervals, strays_s, streams_of
 from sightline.messages.said import Said
@@ -25,8 +25,6 @@ from sightline.statistics.distributions import Percentile, percentiles
 PERCENTS = (15.0, 50.0, 85.0)
 #: By so much at most the next recording of a stream begins before the one before it ends, as a person tells.
 _SHARED_S = 2.0
-#: And by so much at most it begins later, where what is in view then is what stood at the end.
-_NEXT_S = 0.1
 #: The clocks of no place are put forward or back, nor do hours begin, at other times, seconds since 1970.
 _QUARTER_S = 900
 _OF_MOTION = ("speed_mps", "u_speed_mps", "length_m", "u_length_m")
@@ -43,7 +41,8 @@ class Clock(Protocol):
 class Watched:
     """A line scan as traffic sees it: its clock (None: the start is not confirmed), how long it is by its
     line rate (None: lines are not counted), its rig (None: not told), at which of several places it was, the
-    hash of camera 1's strip, and of which video of the place that was cut (empty: not told).
+    hash of camera 1's strip, of which video of the place that was cut (empty: not told), and whether its end
+    is stated.
     """
 
     scan_id: int
@@ -54,6 +53,7 @@ class Watched:
     site: str = ""
     strip_sha256: str = ""
     video: str = ""
+    end_stated: bool = True
 
     @property
     def span_s(self) -> tuple[float, float] | None:
@@ -96,6 +96,27 @@ class Seen:
             if cars and why_not_counted(self.watched, cars) is None
         }
 
+    @property
+    def standing(self) -> set[Stream]:
+        """The streams of which one still stood at the end, where that is known."""
+        if self.watched.watched_s is None:
+            return set()
+        end_s = self.watched.watched_s
+        return {
+            stream for stream, cars in self.streams.items() if any(_stands_at_end(car, end_s) for car in cars)
+        }
+
+    @cached_property
+    def asked(self) -> set[Stream]:
+        """The streams of which a vehicle counts within the days and hours asked for."""
+        return {stream for stream, cars in self.counted.items() if any(map(self._is_asked, cars))}
+
+    def _is_asked(self, car: VehicleMotion) -> bool:
+        clock = self.watched.clock
+        if car.told_before or car.since_s is None or clock is None:
+            return False
+        return not self.filmed.limits_time or self.filmed.holds(clock.at(car.since_s))
+
 
 def why_not_counted(scan: Watched, vehicles: Sequence[VehicleMotion]) -> Said | None:
     """Why a line scan's vehicles of one direction and lane have no intervals."""
@@ -109,12 +130,13 @@ def why_not_counted(scan: Watched, vehicles: Sequence[VehicleMotion]) -> Said | 
 @dataclass(frozen=True)
 class _Stood:
     """One who may have stood `later_s` before a recording begins; of unknown lane, in any stream that it is
-    not known to be `gone` from.
+    not known to be `gone` from. `counts`: where it stood, with an end that is stated.
     """
 
     stream: Stream
     later_s: float = 0.0
     gone: frozenset[Stream] = frozenset()
+    counts: bool = True
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -176,12 +198,12 @@ def seen_in_each(
 
 
 def mark_told_before(seen: Sequence[Seen]) -> list[Seen]:
-    """The recordings with those vehicles `told_before` that count in another: where one stood when a
-    recording ended and the next one goes on at once, who is in view as that begins.
+    """The recordings with those vehicles `told_before` that count in another: where one that counts stood as
+    a recording ended and the next one goes on at once, who is in view as that begins.
     """
     out = list[Seen]()
     for each, ended in zip(seen, _stood_before(seen), strict=True):
-        goes_on = any(one.later_s <= _NEXT_S and one.stream not in one.gone for one in ended)
+        goes_on = any(one.counts and one.later_s <= GOES_ON_S and one.stream not in one.gone for one in ended)
         told = [replace(car, told_before=True) if not car.front_seen else car for car in each.vehicles]
         out.append(replace(each, vehicles=told) if goes_on else each)
     return out
@@ -233,12 +255,11 @@ def _stood_before(seen: Sequence[Seen]) -> list[list[_Stood]]:
         in_view = {stream for stream, cars in by_stream.items() if not all(car.front_seen for car in cars)}
         driven = {stream for stream, cars in by_stream.items() if any(car.measured for car in cars)}
         stand = {
-            _Stood(stream)
-            for stream, cars in by_stream.items()
-            if any(_stands_at_end(car, end_s - begin_s) for car in cars)
+            _Stood(stream, counts=watched.end_stated and stream in seen[at].counted)
+            for stream in seen[at].standing
         }
         stand |= {
-            replace(one, later_s=0.0, gone=one.gone | driven)
+            replace(one, later_s=0.0, gone=one.gone | driven, counts=one.counts and watched.end_stated)
             for one in found[at]
             if one.stream not in in_view
         }
@@ -248,8 +269,8 @@ def _stood_before(seen: Sequence[Seen]) -> list[list[_Stood]]:
 
 def notes_of_overlaps(seen: Sequence[Seen]) -> list[Said]:
     """Which recordings of one road saw one direction and lane at the same time, by more than starts told by
-    people leave open: of each the earlier one that it shares most with, and the seconds that the traffic is
-    asked for of both. A vehicle of that time is in both, and counts in each.
+    people leave open: of each the earlier one that it shares most with, the seconds that the traffic is asked
+    for of both, and how many others. A vehicle of that time is in both, and counts in each.
     """
     notes, before = list[Said](), list[tuple[float, int]]()
     spans = [(span, at) for at, each in enumerate(seen) if (span := each.watched.span_s) is not None]
@@ -257,17 +278,28 @@ def notes_of_overlaps(seen: Sequence[Seen]) -> list[Said]:
         later = seen[at]
         before = [one for one in before if one[0] - begin_s > _SHARED_S]
         shared = [
-            (_asked_s(seen[other], later, begin_s, min(until_s, end_s)), other)
+            (shared_s, seen[other].watched)
             for until_s, other in before
-            if min(until_s, end_s) - begin_s > _SHARED_S and _is_shared(seen[other], later)
+            if min(until_s, end_s) - begin_s > _SHARED_S
+            and _is_shared(seen[other], later)
+            and (shared_s := _asked_s(seen[other], later, begin_s, min(until_s, end_s))) > 0
         ]
-        shared_s, earlier = max(shared, key=lambda each: each[0], default=(0.0, at))
-        if shared_s > 0:
-            seconds = max(1, round(shared_s))
-            names = seen[earlier].watched.name, later.watched.name
-            notes.append(Said("scans-traffic-overlap", earlier=names[0], later=names[1], seconds=seconds))
+        if shared:
+            shared_s, earlier = max(shared, key=lambda each: each[0])
+            first, second = _told_apart(earlier, later.watched)
+            seconds, others = max(1, round(shared_s)), len(shared) - 1
+            notes.append(
+                Said("scans-traffic-overlap", earlier=first, later=second, seconds=seconds, others=others)
+            )
         before.append((end_s, at))
     return notes
+
+
+def _told_apart(first: Watched, second: Watched) -> tuple[str, str]:
+    """Their names, with when they began where these are equal."""
+    if first.name != second.name or first.clock is None or second.clock is None:
+        return first.name, second.name
+    return f"{first.name} ({first.clock.at()})", f"{second.name} ({second.clock.at()})"
 
 
 def _asked_s(first: Seen, second: Seen, from_s: float, until_s: float) -> float:
@@ -289,7 +321,7 @@ def _is_asked(seen: Seen, at_s: float) -> bool:
 def _is_shared(first: Seen, second: Seen) -> bool:
     """Whether one vehicle may be in both; of unknown lane it may be in any."""
     return first.watched.may_see_the_road_of(second.watched) and any(
-        a[0] == b[0] and (a[1] == b[1] or None in (a[1], b[1])) for a in first.counted for b in second.counted
+        a[0] == b[0] and (a[1] == b[1] or None in (a[1], b[1])) for a in first.asked for b in second.asked
     )
 
 

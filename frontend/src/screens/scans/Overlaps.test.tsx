@@ -12,7 +12,7 @@ afterEach(() => {
 it("names the line scans that overlap, in which a vehicle counts twice", async () => {
   const note = {
     code: "scans-traffic-overlap",
-    values: { earlier: "Gate", later: "Gate again", seconds: 1340 },
+    values: { earlier: "Gate", later: "Gate again", seconds: 1340, others: 0 },
     message: "",
   };
   new FakeServer().on("GET", /\/surveys\/1\/scan-traffic/, () => ({
