@@ -41,8 +41,10 @@ def scans_seen(session: Session, survey_id: int, filmed: FilmedWithin = FilmedWi
         motions += [_motion_of_vehicle(scan, one) for one in vehicles_of(session, scan.id)]
         watched_s = scan.lines and scan.lines / scan.rig.line_rate_hz
         clock = None if scan.clock is None else scan.clock.filming
-        of = {"strip_sha256": scan.first_sha256 or "", "video": str(scan.recording_id or "")}
-        watched.append(Watched(scan.id, scan.name, clock, watched_s, rig=scan.rig, **of))
+        strip, video = scan.first_sha256 or "", str(scan.recording_id or "")
+        watched.append(
+            Watched(scan.id, scan.name, clock, watched_s, rig=scan.rig, strip_sha256=strip, video=video)
+        )
     return seen_in_each(watched, motions, filmed)
 
 
