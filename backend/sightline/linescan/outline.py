@@ -47,7 +47,7 @@ CLEAR_SHARE = 0.4
 # What differs from the road lies at most so far before its half-way edge, metres, by optics and noise.
 TOLD_M = 0.011
 # Greys that change behind an edge change alike in all bands: by so many times their mean a round end is off
-# (from the errors of 1900 ends, seeds 9901 and 9903), and a flat one. This and the next three were found from
+# (from the errors of 1900 ends, seeds 9901 and 9903), and a flat one. That and the next two were found from
 # the errors of the ends of 480 simulated bodies (seeds 8801 and 8901).
 ROUND_GREY, FLAT_GREY = 0.75, 0.4
 # A flat end of few bands that stray by more than their noise is hardly flat: what they stray more counts so

@@ -2105,7 +2105,7 @@ review-step-verdict = décision ({ $target ->
     [headlight] projecteur
    *[other] autre cible
 }, véhicule { $vehicle })
-review-step-overtaken = Rien n’a changé : depuis, cette hauteur a été retirée ou modifiée, ou a reçu une autre décision.
+review-step-overtaken = Rien n’a été modifié : depuis, cette hauteur a été retirée ou changée, ou a reçu une autre décision.
 review-error = Erreur de hauteur
 review-side = Côté du conducteur
 review-signs = <strong>À contrôler de près :</strong> { $signs }

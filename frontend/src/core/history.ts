@@ -4,6 +4,7 @@
  * cannot overtake the server.
  */
 import { computed, signal } from "@preact/signals";
+import { ApiError } from "./api";
 import { sameValue } from "./same";
 
 /** Values by key that can be put back: wanted clicks of a measurement, boundaries of a vehicle, whether a pass is there. */
@@ -22,6 +23,13 @@ export interface Step {
   show?(): Promise<void> | void;
   undo(): Promise<void> | void;
   redo(): Promise<void> | void;
+}
+
+/** What a step left is no more: it can never be taken, and leaves the list so that those before it can. */
+export class StepOvertaken extends ApiError {
+  constructor(message: string) {
+    super(message, 409);
+  }
 }
 
 interface Touched {
@@ -139,7 +147,7 @@ export class History {
     return turn;
   }
 
-  /** A step that fails stays where it was; the caller hears why. */
+  /** A step that fails stays where it was, unless it was overtaken; the caller hears why. */
   private move(
     from: { value: readonly Step[] },
     to: { value: readonly Step[] },
@@ -148,9 +156,17 @@ export class History {
     return this.inTurn(async () => {
       const step = from.value.at(-1);
       if (!step) return null;
-      await step.show?.();
-      await run(step);
-      from.value = from.value.filter((other) => other !== step);
+      const drop = () => {
+        from.value = from.value.filter((other) => other !== step);
+      };
+      try {
+        await step.show?.();
+        await run(step);
+      } catch (error) {
+        if (error instanceof StepOvertaken) drop();
+        throw error;
+      }
+      drop();
       to.value = [...to.value, step];
       return step.label;
     });

@@ -1,6 +1,5 @@
 /** Verdicts on their way to the server, each a value of its measurement that can be put back. */
-import { ApiError } from "../../core/api";
-import type { Ledger } from "../../core/history";
+import { type Ledger, StepOvertaken } from "../../core/history";
 import { say } from "../../core/messages";
 import { outbox, type Wanted } from "../../core/outbox";
 import { sameValue } from "../../core/same";
@@ -34,7 +33,7 @@ export class Verdicts {
       const item = this.queue.find(id);
       const own = item?.measurement.review.reviewer?.id === me.value?.person.id;
       if (!item || (left && !(own && sameValue(this.given.read(id), left))))
-        throw new ApiError(say("review-step-overtaken"), 0);
+        throw new StepOvertaken(say("review-step-overtaken"));
       await this.give(item, { verdict, reason, points: null });
     },
   };

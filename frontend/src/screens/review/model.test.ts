@@ -256,6 +256,24 @@ describe("the review queue", () => {
     expect(model.currentId.value).toBe(6);
   });
 
+  it("asks for what comes after the list once, and not of a list that is on its way", async () => {
+    await open(0);
+    model.go(1);
+    let asked = 0;
+    server.on("GET", /review-queue\?.*after=/, () => {
+      asked += 1;
+      throw 500;
+    });
+    model.queue.more.value = true;
+    model.go(1);
+    await quiet();
+    expect(asked).toBe(1);
+    model.queue.items.value = null;
+    model.go(1);
+    await quiet();
+    expect(asked).toBe(1);
+  });
+
   describe("with another list open since", () => {
     let stands: Record<string, unknown>;
     const readAlone = () => server.on("GET", /review-queue\?.*measurement=1/, () => [stands]);
@@ -281,16 +299,18 @@ describe("the review queue", () => {
       ["another person's like one's own", { revision: 1 }, { verdict: "rejected", reviewer: { id: 2 } }],
       ["another verdict of one's own", { revision: 1 }, { verdict: "accepted", reason: null }],
       ["other points", { revision: 2 }, {}],
-    ])("takes back nothing where %s stands there; the step stays", async (_what, facts, told) => {
+    ])("takes back nothing where %s stands there; the step is gone", async (_what, facts, told) => {
       await model.show("accepted");
       await quiet();
       const { review, ...before } = stands["measurement"] as Measurement;
       stands = { ...stands, measurement: { ...before, ...facts, review: { ...review, ...told } } };
       readAlone();
+      model.history.push({ label: "a later step", undo: () => {}, redo: () => {} });
+      await model.history.undo();
       await refused();
       expect(judged).toHaveLength(1);
-      expect(model.history.undoLabel.value).toBe("verdict on roof of vehicle 03");
-      expect(model.history.redoLabel.value).toBeNull();
+      expect(model.history.undoLabel.value).toBeNull();
+      expect(model.history.redoLabel.value).toBe("a later step");
     });
 
     it("does not give a verdict again on points that nobody looked at", async () => {
@@ -301,7 +321,7 @@ describe("the review queue", () => {
       readAlone();
       await expect(model.history.redo()).rejects.toThrow("Nothing was changed");
       expect(judged).toHaveLength(2);
-      expect(model.history.redoLabel.value).toBe("verdict on roof of vehicle 03");
+      expect(model.history.redoLabel.value).toBeNull();
     });
 
     it("takes back nothing where the height was withdrawn; the list that is shown stays", async () => {
@@ -309,7 +329,7 @@ describe("the review queue", () => {
       await quiet();
       server.on("GET", /review-queue\?.*measurement=1/, () => []);
       await refused();
-      expect(model.history.undoLabel.value).toBe("verdict on roof of vehicle 03");
+      expect(model.history.undoLabel.value).toBeNull();
       expect(model.currentId.value).toBe(6);
     });
 

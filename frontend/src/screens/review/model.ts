@@ -196,8 +196,15 @@ export class ReviewModel {
   go(step: 1 | -1): void {
     const next = beside(this.queue.items.value ?? [], this.currentId.value, step);
     if (next) this.open(next);
-    else if (step === 1 && this.queue.more.value) void this.queue.loadMore().then(() => this.go(1));
+    else if (step === 1 && this.queue.more.value) this.goFurther();
     else toast(say(step === 1 ? "review-queue-end" : "review-queue-start"));
+  }
+
+  /** To what comes after the end of the list, once it is there; not where another list, or nothing, came. */
+  private goFurther(): void {
+    void this.queue.loadMore().then((came) => {
+      if (came) this.go(1);
+    });
   }
 
   /** True if this person may give a verdict on what is shown. */
@@ -286,7 +293,7 @@ export class ReviewModel {
     if (this.currentId.value !== id) return;
     const next = this.queue.waitsAfter(id);
     if (next) this.open(next);
-    else if (this.queue.more.value) void this.queue.loadMore().then(() => this.go(1));
+    else if (this.queue.more.value) this.goFurther();
   }
 
   /** A verdict was refused, perhaps because the operator changed the points meanwhile: show what there is now. */

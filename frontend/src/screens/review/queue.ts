@@ -48,16 +48,21 @@ export class ReviewQueue {
     return named === null ? undefined : this.find(named);
   }
 
-  async loadMore(): Promise<void> {
+  /** Whether more came to the list, or none is left. */
+  async loadMore(): Promise<boolean> {
     const after = this.items.value?.at(-1)?.measurement.id;
-    if (!after || !this.more.value) return;
+    if (!after || !this.more.value) return false;
+    let came = false;
     await telling(async () => {
       const page = await this.read({ limit: PAGE, after });
       const items = this.items.value ?? [];
       if (items.at(-1)?.measurement.id !== after) return; // another list, or more of this one, is there by now
-      this.items.value = [...items, ...page.filter((item) => !this.find(item.measurement.id))];
+      const fresh = page.filter((item) => !this.find(item.measurement.id));
+      this.items.value = [...items, ...fresh];
       this.more.value = page.length === PAGE;
+      came = fresh.length > 0 || !this.more.value;
     });
+    return came;
   }
 
   /** A measurement as it stands; one of another state, which this list does not show, from the server, before the list. */
