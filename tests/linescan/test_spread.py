@@ -18,7 +18,7 @@ def _fit(jacobian: np.ndarray, residual: np.ndarray) -> Fit:
     seen = Look(residual, jacobian, np.ones(n, bool), np.zeros(n), np.ones(n), np.ones(n))
     # a scale so wide that every weight is one: plain least squares, whose truth is known
     state = State(Course(10.0, 0.0, 0.593))
-    return Fit(state, seen, np.ones(n), jacobian.T @ jacobian, 1e6, np.zeros(5))
+    return Fit(state, seen, np.ones(n), jacobian.T @ jacobian, 1e6, np.zeros(5), True)
 
 
 def _covariance(

@@ -278,11 +278,11 @@ def _u_shift(scene: Scene, prior: Prior, whole: Fit) -> float:
 
 
 def _has_settled(fit: Fit, spread: Floats) -> bool:
-    """Whether the last round moved speed and acceleration, and what follows from both, by less than SETTLED
-    of what the fit's own covariance `spread` (2, 2) lets them be off by.
+    """Whether the last round was small enough to stop at, or moved speed and acceleration, and what follows
+    from both, by less than SETTLED of what the fit's own covariance `spread` (2, 2) lets them be off by.
     """
     step = fit.last_step[:2]
-    return bool(step @ np.linalg.lstsq(spread, step, rcond=None)[0] <= SETTLED**2)
+    return fit.settled or bool(step @ np.linalg.lstsq(spread, step, rcond=None)[0] <= SETTLED**2)
 
 
 def _warnings(passage: Passage, has_settled: bool, apart_m: float) -> tuple[Said, ...]:

@@ -72,8 +72,8 @@ class Look:
 
 @dataclass(frozen=True, eq=False)
 class Fit:
-    """The end: state, last look, weights (n,), normal matrix (5, 5), scale of residuals, and the last step
-    (5,) of its unknowns.
+    """The end: state, last look, weights (n,), normal matrix (5, 5), scale of residuals, the last step (5,)
+    of its unknowns, and whether that was small enough to stop at.
     """
 
     state: State
@@ -82,6 +82,7 @@ class Fit:
     normal: Floats
     scale_dn: float
     last_step: Floats
+    settled: bool
 
 
 def look(first: Sheet, second: Sheet, points: Points, clock: Clock, state: State) -> Look:
@@ -179,7 +180,15 @@ def register(
         small = abs(step[0]) < SETTLED * state.course.speed_mps and bool((np.abs(step[1:3]) < 2e-3).all())
         # the last look is one small step behind the state, which no uncertainty would notice
         state = apply_step(state, step)
-        fit = Fit(state=state, look=observed, weight=weight, normal=normal, scale_dn=scale, last_step=step)
+        fit = Fit(
+            state=state,
+            look=observed,
+            weight=weight,
+            normal=normal,
+            scale_dn=scale,
+            last_step=step,
+            settled=small,
+        )
         if small:
             break
     assert fit is not None
