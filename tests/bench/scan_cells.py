@@ -50,6 +50,7 @@ def body_at(body: str, number: int, seed: int, photographs: tuple[Path, ...]) ->
     by = float(rng.uniform(0.91, 1.088))
     model = replace(model, length_m=model.length_m * by, wheelbase_m=model.wheelbase_m * by)
     vehicle = scan_body(int(rng.integers(1000)), model, rng)
+    vehicle = replace(vehicle, ends_seed=int(rng.integers(1 << 30)))
     skin = None
     if photographs:
         path = photographs[int(rng.integers(len(photographs)))]

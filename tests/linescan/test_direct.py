@@ -13,6 +13,7 @@ from sightline.linescan.masks import Sheet, sample_sheet, shift_sheet
 from sightline.linescan.paper import measure_paper
 from sightline.linescan.parts import CUT, Crossings, Passage, Rig
 from sightline.linescan.registration import register
+from sightline.linescan.spread import covariance
 from sightline.linescan.warp import Course, solved_by_boundaries
 from sightline.messages.said import Said
 from tests.linescan.scenes import RIG, SITE, cars, found, plain_found, plain_truth
@@ -80,6 +81,9 @@ def test_only_a_motion_that_its_last_round_moved_beyond_its_uncertainty_is_said_
         assert said not in measure_direct(passages()[0], RIG).warnings
     rounds = {"most_rounds": 1}
     monkeypatch.setattr(direct, "register", lambda *args, **_: register(*args[:9], **rounds))
+    assert said in measure_direct(fast[0], RIG).warnings
+    # a covariance that says nothing says of no step that it is small
+    monkeypatch.setattr(direct, "covariance", lambda slopes, *rest: 0 * covariance(slopes, *rest))
     assert said in measure_direct(fast[0], RIG).warnings
 
 

@@ -9,7 +9,8 @@ from math import hypot
 import numpy as np
 import pytest
 
-from sightline.linescan.outline import DOUBT_M, Bands, Seen, fit_foremost_edge
+from sightline.linescan.boundaries import BUMPY_M
+from sightline.linescan.outline import DOUBT_M, ROUND_BUMPS, Bands, Seen, fit_foremost_edge
 from tests.bench.goals import rms
 from tests.simulation.camera import Array
 from tests.support.proofs import every
@@ -73,13 +74,17 @@ def slanted(rng: np.random.Generator) -> Array:
 
 
 def shown(shape: Shape, noise: float, straying: bool, rng: np.random.Generator) -> tuple[Bands, Seen]:
-    """Its bands with `noise`, lines, and with greys that change, each by what it says of itself."""
+    """Its bands with `noise`, lines, the bumps of its shape, and with greys that change, each by what it says
+    of itself.
+    """
     true = END + np.minimum(shape(rng), FAR)
     uneven = STRAYING * rng.lognormal(0.0, 1.0, COUNT) if straying else np.full(COUNT, EVEN)
     greys = np.convolve(rng.normal(size=COUNT + 2), ALIKE, "valid")
-    edges = true + noise * rng.normal(size=COUNT) + uneven * greys
+    bumps = BUMPY_M * PER_M
+    edges = true + hypot(noise, ROUND_BUMPS * bumps) * rng.normal(size=COUNT) + uneven * greys
     differs = np.where(np.arange(300)[:, None] >= edges, 60.0, 0.0)
-    bands = Bands(edges, np.full(COUNT, noise), uneven, np.zeros(COUNT), np.ones(COUNT, bool))
+    u, clear = np.full(COUNT, hypot(noise, bumps)), np.ones(COUNT, bool)
+    bands = Bands(edges, u, uneven, np.zeros(COUNT), clear, bumps)
     return bands, Seen(differs, 4.0, 1.3, PER_M)
 
 

@@ -39,7 +39,10 @@ class RoadBoard:
 
 @dataclass(frozen=True)
 class Vehicle:
-    """One pass: which model, where, how fast, and the true heights of what is drawn."""
+    """One pass: which model, where, how fast, and the true heights of what is drawn.
+
+    `ends_seed`: its front and rear are no other vehicle's, drawn from this; None: those of its style.
+    """
 
     number: int
     model: Model
@@ -58,6 +61,7 @@ class Vehicle:
     driver_side: str
     tail_lamp_m: float
     seed: int
+    ends_seed: int | None = None
 
     @property
     def style(self) -> Style:

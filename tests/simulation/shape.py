@@ -9,6 +9,10 @@ import numpy as np
 from tests.simulation.camera import Array
 from tests.simulation.scene import Vehicle
 
+# how far from either end outlines of vehicles of one style differ, by how much, and what of an end may be
+# cut off, metres
+NEAR_END_M, END_M, CUT_M = 0.5, 0.015, 0.004
+
 
 @dataclass(frozen=True, eq=False)
 class Shape:
@@ -84,13 +88,34 @@ def _spline(points: Array, per_segment: int = 6) -> Array:
     return np.vstack([*parts, points[-1:]])
 
 
+def _with_own_ends(points: Array, length_m: float, smooth: bool, rng: np.random.Generator) -> Array:
+    """The outline through points (N, 2) of which those near either end are each moved along by some END_M,
+    foremost and rearmost where they were; every second round end is cut off upright, as by a plate.
+
+    Of an outline of straight lines the front is round, and the rear stays upright, as of a lorry's box.
+    """
+    ahead = points[:, 0] > length_m - NEAR_END_M
+    near = ahead | ((points[:, 0] < NEAR_END_M) & smooth)
+    along = points[:, 0] + near * rng.normal(0.0, END_M, len(points))
+    points = np.stack([along, points[:, 1]], -1)
+    bent = _spline(points) if smooth else np.vstack([points[~ahead], _spline(points[ahead])])
+    cut_m = rng.integers(2, size=2) * rng.uniform(0.0, CUT_M, 2)
+    low = float(bent[:, 0].min()) + smooth * cut_m[0]
+    high = float(bent[:, 0].max()) - cut_m[1]
+    return np.stack([np.clip((bent[:, 0] - low) / (high - low), 0.0, 1.0) * length_m, bent[:, 1]], -1)
+
+
 @lru_cache(maxsize=64)
 def shape_of(vehicle: Vehicle) -> Shape:
     """The shape of one vehicle, its roof's highest outline point exactly at the true roof height."""
     style = vehicle.style
     sl, sz = vehicle.model.length_m / style.length_m, vehicle.roof_height_m / style.height_m
     points = np.array(style.outline) * (sl, sz)
-    outline = _spline(points) if style.smooth else points
+    if vehicle.ends_seed is not None:
+        ends = np.random.default_rng((vehicle.ends_seed, 34))
+        outline = _with_own_ends(points, vehicle.model.length_m, style.smooth, ends)
+    else:
+        outline = _spline(points) if style.smooth else points
     outline[:, 1] *= vehicle.roof_height_m / outline[:, 1].max()
     outline[:, 0] = np.clip(outline[:, 0], 0, vehicle.model.length_m)
     outline.flags.writeable = False

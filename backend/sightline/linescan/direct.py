@@ -40,7 +40,7 @@ BLOCK_ROWS = 12
 CELL_M = 0.18
 # Errors go together over some decimetres; one length alone would make u itself scatter more. Whole cells:
 # what takes one gain and one offset errs as one, its halves in two clusters would not be independent.
-CELLS_A_CLUSTER = (2, 1, 3)
+CELLS_A_CLUSTER = (2, 1)
 PROFILE_M = 0.15
 UNLIKE_M = 0.05
 # by how much of the speed that the boundaries say the pictures may say another
@@ -281,8 +281,12 @@ def _has_settled(fit: Fit, spread: Floats) -> bool:
     """Whether the last round was small enough to stop at, or moved speed and acceleration, and what follows
     from both, by less than SETTLED of what the fit's own covariance `spread` (2, 2) lets them be off by.
     """
-    step = fit.last_step[:2]
-    return fit.settled or bool(step @ np.linalg.lstsq(spread, step, rcond=None)[0] <= SETTLED**2)
+    if fit.settled:
+        return True
+    variance, axes = np.linalg.eigh(spread)
+    # of what the covariance does not know at all no step is small
+    moved = (axes.T @ fit.last_step[:2]) ** 2 / np.maximum(variance, np.finfo(float).tiny)
+    return bool(moved.sum() <= SETTLED**2)
 
 
 def _warnings(passage: Passage, has_settled: bool, apart_m: float) -> tuple[Said, ...]:

@@ -1,11 +1,12 @@
 """The foremost point of a vehicle's outline from what its bands of rows show.
 
 It is that of a round end through the edges of neighbouring bands, each with the weight of its own doubt:
-bumpers are round, some flat about their foremost point, and may have the road's own grey in some bands; over
-all such shapes the mean is taken by how likely each is. Where a parabola fits no better than an
-upright line the end is flat. The lowest of many noisy values, which a vertex seeks, lies too far out, and so
-does a parabola about a corner; a bumper that stands before an upright face does not. So wherever more bands
-agree with an upright line, both are weighed by what the bands say, and u holds what lies between them.
+bumpers are round or come to a point, seldom alike above and below, some flat about their foremost point, and
+may have the road's own grey in some bands; over all such shapes the mean is taken by how likely each is.
+Where a parabola fits no better than an upright line the end is flat. The lowest of many noisy values, which a
+vertex seeks, lies too far out, and so does a parabola about a corner; a bumper that stands before an upright
+face does not. So wherever more bands agree with an upright line, both are weighed by what the bands say, and
+u holds what lies between them.
 
 An outline falls back from its foremost point upwards and downwards, so bands that lie behind others on either
 side are no part of it: they are gaps, or show an edge within a vehicle whose grey is the road's there. Which
@@ -53,18 +54,19 @@ ROUND_GREY, FLAT_GREY = 0.75, 0.4
 # A flat end of few bands that stray by more than their noise is hardly flat: what they stray more counts so
 # many times. In a long one the bands' own scatter tells, beside a share of what is usual.
 FEW_STRAY, USUAL_SHARE = 11.0, 0.2
-# A round end may be flat about its foremost point, over so many bands to either side, and fall back from
-# there on as a parabola, which through all bands would lie before it: as likely a parabola as not before
-# anything is seen. As likely as this an end is slanted: it falls back straight from its last row.
-FLAT_HALVES, HALF_LIKELY, STRAIGHT = (0.0, 0.5, 1.0, 1.5), (3 / 6, 1 / 6, 1 / 6, 1 / 6), 0.25
-# steps of bands in which its middle is looked for, and how far beyond them
-MIDDLE_STEP, BEYOND = 0.25, 1.5
-# About a shape that fits bands stray less than about a parabola: by so large a share of their bumps (seeds
-# 9901 and 9903).
-ROUND_BUMPS = 0.4
-# How many bands' worth it weighs that bands stray by what their u says, beside what they do: with 8, lengths
-# and gaps of cars and vans were stated too wide by a tenth (576 passages, seed 9901).
-USUAL_BANDS = 24
+# A round end may be flat about its foremost point, over so many bands to either side: as likely not as it is,
+# before anything is seen. From there on it falls back as one of these powers of the way, all as likely, and
+# to either side by an amount of its own: in REACH bands usually by some such many metres.
+FLAT_HALVES, HALF_LIKELY = (0.0, 0.75, 1.5), (1 / 2, 1 / 4, 1 / 4)
+POWERS, USUAL_FALL_M = (1.0, 1.5, 2.0), 0.06
+# steps of bands in which its middle is looked for, how far beyond them, and how likely it lies at the end of
+# what is seen or beyond
+MIDDLE_STEP, BEYOND, AT_END = 0.5, 1.5, 0.6
+# No vehicle keeps to such a shape: it strays from it by so large a share of what it falls back, and by so
+# large a share of the bumps about a parabola (seed 9901).
+SHAPE_SHARE, ROUND_BUMPS = 0.05, 0.2
+# how many bands' worth it weighs that bands stray by what their u says, beside what they do (seed 9901)
+USUAL_BANDS = 16
 CAUCHY, ROBUST_ROUNDS = 2.385, 6
 # standard uncertainty of a doubtful boundary: the rms error of 50 such ones of 1008 simulated vehicles, most
 # of them bumpers of the road's own grey at 8 DN and 30 m/s or more, which hide up to 110 mm
@@ -159,7 +161,7 @@ def fit_foremost_edge(bands: Bands, view: Seen) -> Edge:
     if len(kept) < 4:
         return Edge(float(np.median(edges[near])))
     doubtful = float(np.mean(clear[max(middle - 2 * REACH, 0) : middle + 2 * REACH + 1])) < CLEAR_SHARE
-    end = _end_of(kept - middle, edges[kept], u[kept], uneven[kept], bands.bumps)
+    end = _end_of(kept - middle, edges[kept], u[kept], uneven[kept], lines_per_m, bands.bumps)
     assert end is not None
     # a flat end hides less than a round one may
     bend = min(4 * HIDDEN_M * lines_per_m, end.bend)
@@ -202,7 +204,7 @@ def _upright_of(
             some = used[np.abs(used - middle - side * (reach - 1)) <= reach]
             if len(some) < UPRIGHT_BANDS:
                 continue
-            line = _end_of(some - middle, bands.edges[some], bands.u[some], bands.uneven[some])
+            line = _end_of(some - middle, bands.edges[some], bands.u[some], bands.uneven[some], lines_per_m)
             # one that lies before a round end says nothing that the round end does not
             if line is None or (not end.flat and line.line <= end.line):
                 continue
@@ -284,7 +286,9 @@ def _may_hide(bands: Bands, view: Seen, notches: NDArray[np.bool_], line: float,
     return min(most, DOUBT_M * view.lines_per_m)
 
 
-def _end_of(x: NDArray[np.intp], y: Floats, s: Floats, uneven: Floats, bumps: float = 0.0) -> _End | None:
+def _end_of(
+    x: NDArray[np.intp], y: Floats, s: Floats, uneven: Floats, lines_per_m: float, bumps: float = 0.0
+) -> _End | None:
     """The foremost line of a round end, or of an upright line if that is enough, through the edges `y` (n,)
     of bands `x` (n,), of standard deviations `s` (n,) by noise and `bumps`, and `uneven` (n,) by greys; None
     where more than 2 REACH + 1 bands show no upright line.
@@ -302,12 +306,12 @@ def _end_of(x: NDArray[np.intp], y: Floats, s: Floats, uneven: Floats, bumps: fl
     grey = float(np.average(uneven, weights=s**-2))
     # a parabola must gain what its two more coefficients cost (Schwarz 1978)
     gain = costs[0] - costs[1] - 2 * log(len(y))
-    is_round = c[2] > 1e-6
     few = len(y) <= 2 * REACH + 1
     if gain >= 0 and not few:
         return None
-    if few and (is_round or gain >= 0):
-        tip, u_tip = _round_end(place, y, np.sqrt(s**2 - (1 - ROUND_BUMPS**2) * bumps**2))
+    if few:
+        own = np.sqrt(s**2 - (1 - ROUND_BUMPS**2) * bumps**2)
+        tip, u_tip = _round_end(place, y, own, USUAL_FALL_M * lines_per_m)
         foremost = tip, hypot(u_tip, ROUND_GREY * grey)
     if gain >= 0:
         return _End(*foremost, False, inf)
@@ -315,70 +319,78 @@ def _end_of(x: NDArray[np.intp], y: Floats, s: Floats, uneven: Floats, bumps: fl
     c, normal, strays = flat
     wider = 1 + FEW_STRAY * (max(1.0, strays) - 1) if few else USUAL_SHARE + (1 - USUAL_SHARE) * strays
     line = _line_at(0.0, c, normal, wider, FLAT_GREY * grey)
-    # few bands may not tell a round end: a vertex weighs as much as it costs more
-    if few and is_round:
+    # few bands may not tell a round end: it weighs as much as a parabola costs more
+    if few:
         line = _either(line, foremost, 1 / (1 + exp(gain / 2)))
     return _End(*line, True, bend)
 
 
 def _round_shapes(x: Floats) -> tuple[Floats, Floats, Floats]:
-    """What the outline of a round end falls back by at bands `x` (n,), (shapes, n), so scaled that at the
-    farthest it is about one; what of it is left at its foremost row that is seen, (shapes,); and how likely
-    each shape is before anything is seen: every middle, which may lie beyond the bands, and all that it may
-    be flat by, and straight from the last row on either side.
+    """What round ends fall back by at bands `x` (n,) above and below their foremost point, each for itself
+    and one at REACH bands from it, (shapes, n, 2); what of it is left at the foremost row that is seen,
+    (shapes, 2); and how likely each shape is before anything is seen: every middle, which may lie beyond the
+    bands, all that it may be flat by, and every power.
     """
     low, high = float(x.min()), float(x.max())
     middles = np.arange(low - BEYOND, high + BEYOND + MIDDLE_STEP / 2, MIDDLE_STEP)
-    middle, half = (one.ravel()[:, None] for one in np.meshgrid(middles, FLAT_HALVES))
+    every = np.meshgrid(POWERS, FLAT_HALVES, middles, indexing="ij")
+    power, half, middle = (part.ravel()[:, None] for part in every)
 
-    def sums(place: Floats) -> Floats:
-        return np.asarray(np.sign(place) * np.maximum(np.abs(place) - half, 0) ** 3 / 3)
+    def falls(way: Floats) -> Floats:
+        return np.asarray((np.maximum(way - half, 0.0) / (REACH - half)) ** power)
 
-    size = (REACH - half) ** 2
-    rounds = (sums(x - middle + 0.5) - sums(x - middle - 0.5)) / size
-    beyond = np.abs(middle - np.clip(middle, low - 0.5, high + 0.5))
-    least = np.maximum(beyond - half, 0) ** 2 / size
-    straight = np.array([x - low + 0.5, high + 0.5 - x]) / (2 * REACH)
-    likely = np.repeat(HALF_LIKELY, len(middles)) / len(middles)
+    def of_rows(way: Floats) -> Floats:
+        """The mean over a band's rows."""
+        ends = (np.maximum(way + by - half, 0.0) * falls(way + by) / (power + 1) for by in (0.5, -0.5))
+        return next(ends) - next(ends)
+
+    beyond = middle - np.clip(middle, low - 0.5, high + 0.5)
+    at_end = ((middles <= low - 0.5) & (low > -REACH)) | ((middles >= high + 0.5) & (high < REACH))
+    share = AT_END * at_end.any()
+    of_middles = np.where(at_end, share / max(at_end.sum(), 1), (1 - share) / (~at_end).sum())
+    likely = np.outer(np.full(len(POWERS), 1 / len(POWERS)), np.outer(HALF_LIKELY, of_middles))
     return (
-        np.vstack([rounds, straight]),
-        np.append(least, [0.0, 0.0]),
-        np.append((1 - STRAIGHT) * likely, [STRAIGHT / 2] * 2),
+        np.stack([of_rows(middle - x), of_rows(x - middle)], -1),
+        np.hstack([falls(beyond), falls(-beyond)]),
+        likely.ravel(),
     )
 
 
-def _round_end(x: Floats, y: Floats, s: Floats) -> tuple[float, float]:
+def _round_end(x: Floats, y: Floats, s: Floats, usual_fall: float) -> tuple[float, float]:
     """Foremost line of a round end through the edges `y` (n,) of bands `x` (n,), of standard deviations `s`
-    (n,), and its u: mean and standard deviation over all middles and all it may be flat by.
+    (n,), and its u: mean and standard deviation over all shapes. `usual_fall`: lines, in REACH bands.
 
-    Each is fitted as what a band's rows show in the mean, with Cauchy's weights, and is as likely as it was
-    before times the chance of what it leaves, of normal errors whose scale is that of `s` as USUAL_BANDS
-    bands more would tell it: Student's t (averaged as in Hoeting et al. 1999).
+    Each is fitted with Cauchy's weights, and is as likely as it was before times the chance of what it
+    leaves, of normal errors whose scale is that of `s` as USUAL_BANDS bands more would tell it: Student's t
+    (averaged as in Hoeting et al. 1999). One that would not fall back to both sides is none.
     """
-    shape, least, likely = _round_shapes(x)
-    weights = np.broadcast_to(s**-2, shape.shape)
+    falls, left_of_falls, likely = _round_shapes(x)
+    design = np.concatenate([np.ones((*falls.shape[:2], 1)), falls], axis=2)
+    least = np.column_stack([np.ones(len(likely)), left_of_falls])
+    products = (design[..., None] * design[:, :, None]).reshape(*design.shape[:2], -1)
+    before = np.diag([0.0, usual_fall**-2, usual_fall**-2])
+    start = float(np.median(y))
+    s = np.hypot(s, SHAPE_SHARE * (y - y.min()))
+    weights = np.broadcast_to(s**-2, falls.shape[:2])
     for _ in range(ROBUST_ROUNDS):
-        n, of_shape, of_square = weights.sum(1), (weights * shape).sum(1), (weights * shape**2).sum(1)
-        of_y, of_both = (weights * y).sum(1), (weights * shape * y).sum(1)
-        power = np.maximum(n * of_square - of_shape**2, 1e-12)
-        line, fall = (
-            (of_square * of_y - of_shape * of_both) / power,
-            (n * of_both - of_shape * of_y) / power,
-        )
-        misses = (y - line[:, None] - fall[:, None] * shape) / s
+        power = (weights[:, None] @ products).reshape(-1, 3, 3) + before
+        right = (weights * (y - start))[:, None] @ design
+        c = np.linalg.solve(power, right[:, 0, :, None])
+        misses = (y - start - (design @ c)[..., 0]) / s
         scale = np.maximum(1.0, SD_OVER_MEDIAN * np.median(np.abs(misses), axis=1))[:, None]
         weights = s**-2 / (1 + (misses / (CAUCHY * scale)) ** 2)
-    left = CAUCHY**2 * np.log1p((misses / CAUCHY) ** 2).sum(1) + USUAL_BANDS
+    c = c[..., 0]
+    left = CAUCHY**2 * np.log1p((misses / CAUCHY) ** 2).sum(1) + (c**2 @ before).sum(1) + USUAL_BANDS
     freedom = USUAL_BANDS + len(y) - 2
-    gain = np.log(likely) - freedom / 2 * np.log(left) - np.log(power) / 2
-    falls_back = fall > 0 if (fall > 0).any() else np.full(len(fall), True)
+    gain = np.log(likely) - freedom / 2 * np.log(left) - np.linalg.slogdet(power)[1] / 2
+    falls_back = (c[:, 1:] >= 0).all(axis=1)
+    falls_back = falls_back if falls_back.any() else np.full(len(c), True)
     chance = np.where(falls_back, np.exp(np.minimum(gain - gain[falls_back].max(), 0.0)), 0.0)
     chance /= chance.sum()
-    foremost = line + fall * least
+    foremost = start + (c * least).sum(axis=1)
     mean = float(chance @ foremost)
-    by_bands = (of_square - 2 * least * of_shape + least**2 * n) / power
-    variance = left / freedom * by_bands + (foremost - mean) ** 2
-    return mean, sqrt(float(chance @ variance))
+    by_bands = (least * np.linalg.solve(power, least[..., None])[..., 0]).sum(axis=1)
+    return mean, sqrt(float(chance @ (left / freedom * by_bands + (foremost - mean) ** 2)))
 
 
 def _line_at(place: float, c: Floats, normal: Floats, wider: float, *others: float) -> tuple[float, float]:
