@@ -162,13 +162,17 @@ def _of_place(place: Path, minutes: Sequence[int]) -> OfPlace:
 
 
 def _of_package(place: Path, minutes: Sequence[int]) -> OfPlace:
+    from sightline.export.package_tables import tables_of
     from sightline.export.scans import scanned_motions
     from sightline.export.traffic import seen_in, traffic_of_scans
+    from sightline.export.verify.described import read_description
     from sightline.infra.csv_package.files import open_package, place_of
 
     files = open_package(place)
     if place_of(files, _SCANS) not in files.paths:
         raise BadInput("commands-flow-folder-empty", place=place)
+    described = read_description(files)
+    files = described.read_in_its_format(files, tables_of(described.most_frames))
     seen = [
         replace(each, watched=replace(each.watched, site=str(place)))
         for each in seen_in(files, list(scanned_motions(files)))

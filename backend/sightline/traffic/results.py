@@ -20,7 +20,7 @@ from sightline.infra.given_csv import GivenTable, read_table
 from sightline.infra.local_time import to_millisecond
 from sightline.linescan.clock import u_passing_s
 from sightline.linescan.parts import Rig, front_seen
-from sightline.linescan.rig import at_lane, require_rig, rig_from, speed_ratio_of
+from sightline.linescan.rig import at_lane, sound_rig_from, speed_ratio_of
 from sightline.linescan.traffic import Stream
 from sightline.messages.said import Said
 from sightline.recordings.filming import Filming
@@ -161,12 +161,7 @@ def _rig_told(whole: Mapping[str, Any]) -> Rig | None:
     """The rig that a recording's JSON tells of; None where it does not tell all that belongs to one."""
     if not all(one.name in whole for one in fields(Rig)):
         return None
-    try:
-        rig = rig_from({one.name: whole[one.name] for one in fields(Rig)})
-        require_rig(rig)
-    except (AttributeError, TypeError, BadInput):
-        return None
-    return rig
+    return sound_rig_from({one.name: whole[one.name] for one in fields(Rig)})
 
 
 def _start(path: Path, said: object) -> datetime:
