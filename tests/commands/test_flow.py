@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 from collections.abc import Sequence
-from datetime import datetime, timedelta
+from datetime import timedelta
 from math import ceil, hypot
 from pathlib import Path
 from statistics import fmean, harmonic_mean
@@ -15,11 +13,11 @@ from typing import Any
 import pytest
 
 from sightline.cli import main
-from sightline.commands.scanned import Start, about_rig, cell_of, object_of, row_of
+from sightline.commands.scanned import about_rig, object_of
 from sightline.errors import BadInput
 from sightline.infra.local_time import instant_of
 from sightline.linescan.finding import Finder
-from sightline.linescan.parts import STOOD, STOPPED, Lane, Rig
+from sightline.linescan.parts import Lane, Rig
 from sightline.linescan.passing import measure_passages
 from sightline.linescan.rig import rig_from
 from sightline.linescan.traffic import LENGTH_LIMITS_M
@@ -27,84 +25,23 @@ from sightline.traffic.archive import add_recorded
 from sightline.traffic.query import ArchiveTables
 from sightline.traffic.records import Asked, Stood
 from sightline.traffic.sources import read_recorded
-from tests.linescan.scenes import SLOW_RIG, found, two_standing
 from tests.simulation.scan_strips import recording
 from tests.simulation.scan_traffic import ScanSite, ScanTruth, traffic, truths
+from tests.traffic.flow_files import (
+    BY_HAND,
+    LINE_0,
+    RATE_HZ,
+    ROWS,
+    Row,
+    as_json,
+    flow,
+    table,
+    vehicle,
+    written,
+)
 from tests.traffic.samples import recorded
 
 pytestmark = pytest.mark.once
-
-Row = dict[str, str]
-RATE_HZ = 5000
-LINE_0 = datetime.fromisoformat("2026-05-04T06:04:50.000+02:00")
-# seconds after line 0, seconds before camera 1, speed, length, axles; None: refused
-BY_HAND = (
-    (8.0, 0.20, 20.0, 4.0, 2),
-    (11.0, 0.30, None, None, None),
-    (16.0, 0.30, 30.0, 9.0, 3),
-    (20.0, 0.22, 20.0, 4.4, 2),
-    (670.0, 0.50, 25.0, 12.5, 5),
-)
-
-
-def vehicle(number: int, since_s: float, long_s: float, speed: Any, length: Any, axles: Any) -> Row:
-    """A row of vehicles.csv."""
-    at = LINE_0 + timedelta(seconds=since_s)
-    lines = since_s * RATE_HZ, (since_s + long_s) * RATE_HZ
-    held = {
-        "id": number,
-        "front_line_1": lines[0],
-        "rear_line_1": lines[1],
-        "speed_mps": speed,
-        "u_speed_mps": speed and 0.001 * speed,
-        "length_m": length,
-        "u_length_m": length and 0.004,
-        "axles": axles,
-        "direction": "camera_1_first",
-        "status": "ok" if speed else "not_measurable",
-        "reason": None if speed else "The strips show no pattern.",
-        "front_at": at.isoformat(timespec="milliseconds"),
-        "u_front_at_s": speed and 0.01,
-    }
-    return {name: "" if value is None else str(value) for name, value in held.items()}
-
-
-ROWS = [vehicle(number, *one) for number, one in enumerate(BY_HAND, 1)]
-
-
-def written(path: Path, rows: Sequence[Row]) -> Path:
-    with path.open("w", newline="") as file:
-        writer = csv.DictWriter(file, list(rows[0]))
-        writer.writeheader()
-        writer.writerows(rows)
-    return path
-
-
-def as_json(path: Path, duration_s: float, **more: Any) -> Path:
-    """The same vehicles as the JSON of `linescan`."""
-    cars = []
-    for number, (since_s, long_s, speed, length, axles) in enumerate(BY_HAND, 1):
-        row: dict[str, Any] = dict(vehicle(number, since_s, long_s, speed, length, axles))
-        numbers = {name: float(row[name]) for name in ("front_line_1", "rear_line_1")}
-        named = {"id": number, "speed_mps": speed, "length_m": length, "axles": axles}
-        shown = {"front_s": since_s, "rear_s": since_s + long_s, "direction": row["direction"]}
-        words = {name: row[name] for name in ("status", "reason")}
-        u = {"u_speed_mps": speed and 0.001 * speed, "u_length_m": length and 0.004}
-        cars.append({**numbers, **named, **shown, **words, **u})
-    whole = {"duration_s": duration_s, "start": LINE_0.isoformat(), **more, "vehicles": cars}
-    path.write_text(json.dumps(whole))
-    return path
-
-
-def flow(capsys: pytest.CaptureFixture[str], *arguments: object, status: int = 0) -> str:
-    assert main(["flow", *map(str, arguments)]) == status
-    printed = capsys.readouterr()
-    assert "Traceback" not in printed.err
-    return printed.out if status == 0 else printed.err
-
-
-def table(text: str) -> list[Row]:
-    return list(csv.DictReader(io.StringIO(text)))
 
 
 def test_intervals_are_those_made_by_hand(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -276,42 +213,6 @@ def test_a_resumed_stream_is_on_one_clock(tmp_path: Path, capsys: pytest.Capture
         read_recorded(path, 4 * 3600.0)
 
 
-def test_who_stands_through_segments_of_a_stream_counts_once(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """In view where the second segment began, it was told of the first."""
-    names = ("reason", "lane", "speed_mps", "u_speed_mps", "length_m", "u_length_m")
-    first = {
-        **dict.fromkeys(names),
-        **{"id": 1, "segment": 1, "status": "not_measurable", "direction": "camera_1_first"},
-        **{"front_s": 50.0, "rear_s": None, "front_line_1": 250_000.0, "rear_line_1": None},
-        **{"reason": str(STOOD), "front_at": "2026-05-04T06:00:50+00:00"},
-    }
-    again = {**first, "id": 2, "segment": 2, "front_s": 60.0, "rear_s": 90.0, "front_line_1": 0.0}
-    again |= {"rear_line_1": 150_000.0, "reason": str(STOPPED), "front_at": "2026-05-04T06:01:00+00:00"}
-    path = tmp_path / "stream.jsonl"
-    path.write_text("\n".join(map(json.dumps, (first, again))))
-    told = flow(capsys, path, "--interval", "60", "--vehicles", tmp_path / "cars.csv")
-    (hour,) = table(told)
-    assert (hour["vehicles"], hour["headway_mean_s"], hour["occupancy_percent"]) == ("1", "", "")
-    assert len(table((tmp_path / "cars.csv").read_text())) == 1  # as many as count
-
-
-def test_who_leaves_behind_one_that_stands_is_counted_once(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """Three vehicles, of whom two stood: 37 were counted, in both directions."""
-    passages, _ = found(two_standing(30.0)[0], SLOW_RIG)
-    start = Start(LINE_0, None)
-    rows = [
-        {name: cell_of(value) for name, value in (row_of(one) | start.times_of(one, SLOW_RIG)).items()}
-        for one in measure_passages(passages, SLOW_RIG, "direct")
-    ]
-    (hour,) = table(flow(capsys, written(tmp_path / "vehicles.csv", rows), "--interval", "60"))
-    assert (hour["vehicles"], hour["refused"]) == ("3", "2")
-    assert float(hour["headway_mean_s"]) == pytest.approx((41.87 - 1.48) / 2, abs=0.01)
-
-
 def test_lost_lines_and_whole_ms_leave_the_time_before_the_camera(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -330,210 +231,6 @@ def test_a_folder_is_read_file_by_file(tmp_path: Path, capsys: pytest.CaptureFix
     said = json.loads(flow(capsys, tmp_path, "--interval", "60", "--json"))
     assert {one["recording"] for one in said["intervals"]} == {"a.csv", "b.json"}
     assert len(said["vehicles"]) == 10 and any("notes.json" in note for note in said["notes"])
-
-
-def test_recordings_of_the_same_time_are_said_to_count_a_vehicle_in_each(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """Two files of one road and time held its vehicles twice, and nothing said so."""
-
-    def shifted(name: str, by_s: float, **changed: str) -> Path:
-        path = as_json(tmp_path / name, 680.0, u_start_s=0.1)
-        told = json.loads(path.read_text())
-        told["start"] = (LINE_0 + timedelta(seconds=by_s)).isoformat()
-        told["vehicles"] = [one | changed for one in told["vehicles"]]
-        path.write_text(json.dumps(told))
-        return path
-
-    def notes(*places: Path) -> list[str]:
-        found: list[str] = json.loads(flow(capsys, *places, "--json"))["notes"]
-        return [note for note in found if "overlap" in note]
-
-    first, next_one = shifted("a.json", 0.0), shifted("b.json", 679.0)
-    assert notes(first, next_one) == []  # 1 s, which a start told by a person leaves open
-    half = shifted("half.json", 340.0)
-    said = "a.json and half.json overlap for 340 s: a vehicle that both contain counts in each."
-    assert notes(half, first) == [said]
-    assert said in flow(capsys, first, half, "-o", tmp_path / "out.csv")
-    assert notes(first, shifted("back.json", 340.0, direction="camera_2_first")) == []
-    near, far = (shifted(f"{lane}.json", 340.0, lane=lane) for lane in ("near", "far"))
-    assert notes(near, far) == [] and len(notes(first, near)) == 1
-    bare = written(tmp_path / "vehicles.csv", ROWS)  # from its first front, 8 s after line 0, to its last
-    assert notes(first, bare) == [
-        "a.json and vehicles.csv overlap for 662 s: a vehicle that both contain counts in each."
-    ]
-
-
-RIG = Rig(0.5, RATE_HZ, 0.0005)
-
-
-def held(
-    path: Path, by_s: float, cars: Sequence[dict[str, Any]], rig: Rig = RIG, duration_s: float = 600.0
-) -> Path:
-    """A recording as the JSON of `linescan`, which begins so long after line 0."""
-    usual = {"direction": "camera_1_first", "lane": None, "speed_mps": None, "length_m": None}
-    told = [{**usual, "id": number, "status": "not_measurable", **car} for number, car in enumerate(cars, 1)]
-    start = (LINE_0 + timedelta(seconds=by_s)).isoformat()
-    path.write_text(
-        json.dumps(
-            {**about_rig(rig), "duration_s": duration_s, "start": start, "u_start_s": 0.1, "vehicles": told}
-        )
-    )
-    return path
-
-
-def passing(front_s: float) -> dict[str, Any]:
-    lines = {"front_line_1": RATE_HZ * front_s, "rear_line_1": RATE_HZ * (front_s + 0.2)}
-    moved = {"status": "ok", "reason": None, "speed_mps": 20.0, "length_m": 4.0}
-    return {**lines, **moved, "front_s": front_s, "rear_s": front_s + 0.2}
-
-
-STANDS = {"front_line_1": 2.5e6, "rear_line_1": None, "front_s": 500.0, "rear_s": None, "reason": str(STOOD)}
-IN_VIEW = {"front_line_1": 0.0, "rear_line_1": 4e4, "front_s": 0.0, "rear_s": 8.0, "reason": str(STOPPED)}
-
-
-def listed_and_counted(
-    capsys: pytest.CaptureFixture[str], *places: Path, minutes: int = 60
-) -> tuple[list[str], int]:
-    """The recordings that a vehicle is listed of, vehicle by vehicle, and how many the intervals count."""
-    told = json.loads(flow(capsys, *places, "--interval", str(minutes), "--json"))
-    return [one["recording"] for one in told["vehicles"]], sum(one["vehicles"] for one in told["intervals"])
-
-
-@pytest.mark.parametrize("kept", ["folder", "archive"])
-def test_who_stands_where_one_recording_goes_on_from_another_is_listed_once(
-    kept: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """The intervals counted it once; the list had it twice."""
-    folder = tmp_path / "recordings"
-    folder.mkdir()
-    paths = [held(folder / "a.json", 0.0, [passing(10.0), STANDS])]
-    paths.append(held(folder / "b.json", 600.0, [IN_VIEW, passing(30.0)]))
-    place = folder
-    if kept == "archive":
-        place = tmp_path / "archive"
-        for number, path in enumerate(paths):
-            begun = LINE_0 + timedelta(seconds=600.0 * number)
-            add_recorded(place, read_recorded(path, None), Stood("Hill", "", "UTC", begun, 0.1))
-    listed, counted = listed_and_counted(capsys, place)
-    name = "Hill: {}.json" if kept == "archive" else "{}.json"
-    assert (listed, counted) == ([name.format(one) for one in "aab"], 3)
-    if kept == "archive":
-        with ArchiveTables(place) as tables:
-            assert sum(row["vehicles"] for row in tables.intervals(Asked())) == counted
-            assert [site.vehicles for site in tables.sites()] == [counted]
-
-
-@pytest.mark.parametrize(("later_s", "counted"), [(0.05, 3), (0.2, 4), (30.0, 4)])
-def test_an_archive_counts_by_one_rule_whoever_asks(
-    later_s: float, counted: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """`traffic flows` and `flow` told of an archive in two ways who counts in the recording before."""
-    for number, (by_s, cars) in enumerate(
-        [(0.0, [passing(10.0), STANDS]), (600.0 + later_s, [IN_VIEW, passing(30.0)])]
-    ):
-        path = held(tmp_path / f"{number}.json", by_s, cars)
-        begun = LINE_0 + timedelta(seconds=by_s)
-        add_recorded(tmp_path / "a", read_recorded(path, None), Stood("Hill", "", "UTC", begun, 0.1))
-    with ArchiveTables(tmp_path / "a") as tables:
-        by_sql = sum(row["vehicles"] for row in tables.intervals(Asked()))
-    listed, by_flow = listed_and_counted(capsys, tmp_path / "a")
-    assert len(listed) == by_flow == by_sql == counted
-
-
-@pytest.mark.parametrize("by_s", [0.0, 599.0, 600.0])
-def test_no_vehicle_of_another_rig_is_left_out(
-    by_s: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """Two rigs of one survey: what is in view of the second is not what stood before the first."""
-    held(tmp_path / "a.json", 0.0, [passing(10.0), STANDS])
-    held(tmp_path / "b.json", by_s, [IN_VIEW, passing(30.0)], Rig(0.6, RATE_HZ, 0.0005))
-    assert listed_and_counted(capsys, tmp_path) == (["a.json"] * 2 + ["b.json"] * 2, 4)
-    assert not [one for one in json.loads(flow(capsys, tmp_path, "--json"))["notes"] if "overlap" in one]
-
-
-def test_no_vehicle_of_a_file_named_by_itself_is_left_out(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """Each PLACE is computed alone: these may be of different roads."""
-    first = held(tmp_path / "a.json", 0.0, [passing(10.0), STANDS])
-    second = held(tmp_path / "b.json", 600.0, [IN_VIEW, passing(30.0)])
-    assert listed_and_counted(capsys, first, second) == (["a.json"] * 2 + ["b.json"] * 2, 4)
-
-
-@pytest.mark.parametrize("by_s", [300.0, 597.0])
-def test_the_later_of_two_that_overlap_keeps_its_vehicles(
-    by_s: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """By more than starts that people tell leave open: it watched that time too, and counts who came."""
-    held(tmp_path / "a.json", 0.0, [passing(10.0), STANDS])
-    held(tmp_path / "b.json", by_s, [IN_VIEW, passing(30.0)])
-    assert listed_and_counted(capsys, tmp_path) == (["a.json"] * 2 + ["b.json"] * 2, 4)
-
-
-def test_tables_count_alike_in_intervals_of_every_length(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """They do not say where they end: the second went on from the first at the end of its last hour alone."""
-    stood = {**vehicle(1, 900.0, 0.2, None, None, None), "rear_line_1": "", "reason": str(STOOD)}
-    written(tmp_path / "a.csv", [vehicle(2, 10.0, 0.2, 20.0, 4.0, 2), stood])
-    at_seven = {"front_at": "2026-05-04T07:00:00.000+02:00", "front_line_1": "0", "rear_line_1": "40000"}
-    in_view = {**vehicle(1, 3310.0, 8.0, None, None, None), **at_seven, "reason": str(STOPPED)}
-    written(tmp_path / "b.csv", [in_view, vehicle(2, 3340.0, 0.2, 20.0, 4.0, 2)])
-    counts = [listed_and_counted(capsys, tmp_path, minutes=minutes) for minutes in (1, 5, 15, 60)]
-    assert counts == 4 * [(["a.csv"] * 2 + ["b.csv"] * 2, 4)]
-
-
-_RESTS = {**vehicle(2, 100.0, 30.0, None, None, None), "reason": str(STOPPED)}
-_STOOD = {**vehicle(2, 100.0, 0.2, None, None, None), "rear_line_1": "", "reason": str(STOOD)}
-
-
-@pytest.mark.parametrize(
-    ("last", "begins_s", "overlaps_s", "may_twice"),
-    [
-        (_RESTS, 99.0, 31, True),
-        (_RESTS, 130.05, None, True),
-        (_STOOD, 99.0, None, True),
-        (_STOOD, 600.0, None, True),
-        (ROWS[-1], 671.0, None, False),
-    ],
-)
-def test_no_recording_goes_on_from_a_table_for_it_does_not_say_where_it_ends(
-    last: Row,
-    begins_s: float,
-    overlaps_s: int | None,
-    may_twice: bool,
-    tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    """One that stops last stood at the end of what is known, whenever it left; a note says that it may count
-    twice. What is known goes on to the last rear.
-    """
-    written(tmp_path / "a.csv", [vehicle(1, 10.0, 0.2, 20.0, 4.0, 2), last])
-    in_view = {**vehicle(1, begins_s, 8.0, None, None, None), "front_line_1": "0", "rear_line_1": "40000"}
-    in_view["reason"] = str(STOPPED)
-    written(tmp_path / "b.csv", [in_view, vehicle(2, begins_s + 300.0, 0.2, 20.0, 4.0, 2)])
-    assert listed_and_counted(capsys, tmp_path) == (["a.csv"] * 2 + ["b.csv"] * 2, 4)
-    notes = json.loads(flow(capsys, tmp_path, "--json"))["notes"]
-    assert [one for one in notes if "overlap" in one] == (
-        [f"a.csv and b.csv overlap for {overlaps_s} s: a vehicle that both contain counts in each."]
-        if overlaps_s
-        else []
-    )
-    said = "A vehicle that still stood at its end may count again in the next recording"
-    assert [one[:5] for one in notes if said in one] == (["a.csv"] if may_twice else [])
-
-
-def test_files_of_one_name_that_overlap_are_told_with_their_places(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    paths = [tmp_path / name / "cars.json" for name in ("one", "two")]
-    for path in paths:
-        path.parent.mkdir()
-        held(path, 0.0, [passing(10.0)])
-    (note,) = json.loads(flow(capsys, *paths, "--json"))["notes"]
-    first, second = (f"{path}: cars.json" for path in paths)
-    assert note.startswith(f"{first} and {second} overlap for 600 s")
 
 
 def test_an_archive_agrees_with_its_own_figures(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

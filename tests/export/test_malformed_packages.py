@@ -246,3 +246,30 @@ def test_a_zip(kind: str, place: Path, capsys: pytest.CaptureFixture[str]) -> No
     key = json.loads((place / "checkpoint.json").read_text())["key"]
     assert main(["verify", str(whole), "--key", key, "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["status"] == "holds"
+
+
+@pytest.mark.parametrize(
+    ("table", "name", "cell"),
+    [
+        ("line_scans.csv", "line_rate_hz", ""),
+        ("line_scans.csv", "line_rate_hz", "0"),
+        ("line_scans.csv", "lanes", "{"),
+        ("line_scans.csv", "lanes", "5"),
+        ("line_scans.csv", "lanes", '["near"]'),
+        ("line_scans.csv", "lanes", '[{"name": "near"}]'),
+        ("line_scans.csv", "lanes", '[{"name": "near", "distance_m": "5"}]'),
+        ("scan_measurements.csv", "line_rate_hz", ""),
+        ("scan_measurements.csv", "baseline_m", "half a metre"),
+        ("scan_measurements.csv", "u_baseline_m", "inf"),
+    ],
+)
+def test_the_traffic_of_a_rig_that_is_none(
+    table: str, name: str, cell: str, place: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The cells of a package are sealed; `flow` reads it without its seal, and told a bare error."""
+    _cells(place, table, _set(name, cell))
+    assert main(["flow", str(place)]) == 1
+    assert capsys.readouterr().err == (
+        f"{table}, row 1: the rig cannot be as it stands there (baseline, line rate, lanes or another of its "
+        "values); get the complete package again.\n"
+    )

@@ -96,6 +96,16 @@ def test_a_package_of_an_earlier_version_verifies(released: Path) -> None:
     assert ("drawings" in found.not_checked) == (found.drawings == 0)
 
 
+def test_flow_reads_a_package_of_an_earlier_version(
+    released: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Of two without codes of reasons it told a bare error."""
+    assert main(["flow", str(released), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["notes"] == [
+        "Gate: The start of this line scan is not confirmed. Confirm it to count its traffic by time of day."
+    ]
+
+
 @ONE_RELEASED
 def test_an_anchor_tells_what_is_said_of_a_package_of_an_earlier_version(
     released: Path, capsys: pytest.CaptureFixture[str]

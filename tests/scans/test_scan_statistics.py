@@ -258,11 +258,13 @@ def test_an_overlap_is_of_the_days_and_hours_asked_for(filmed: FilmedWithin, sec
     assert [one.values["seconds"] for one in notes] == ([seconds] if seconds else [])
 
 
-@pytest.mark.parametrize(("first_s", "second_s", "said"), [(10.0, 3700.0, 0), (3700.0, 1900.0, 1)])
-def test_no_overlap_is_noted_of_whom_nobody_counts_within_the_hours(
+@pytest.mark.parametrize(
+    ("first_s", "second_s", "said"), [(10.0, 3700.0, 0), (3700.0, 1900.0, 1), (3700.0, 6000.0, 0)]
+)
+def test_an_overlap_is_noted_where_both_count_a_vehicle_within_the_shared_time_and_the_hours(
     first_s: float, second_s: float, said: int
 ) -> None:
-    """From 13:00 on; of two recordings from 12:00 and 12:30 on."""
+    """From 13:00 on; of two recordings from 12:00 to 14:00 and from 12:30 to 14:30."""
     start = datetime(2026, 5, 4, 12, tzinfo=UTC)
     clocks = [Filming(start + timedelta(seconds=at_s), "UTC") for at_s in (0.0, 1800.0)]
     watched = [Watched(number, str(number), clock, 7200.0) for number, clock in enumerate(clocks, 1)]
@@ -301,6 +303,45 @@ def test_who_stood_where_traffic_is_not_counted_counts_in_the_next() -> None:
         counts.append([sum(one.vehicles for one in scan.intervals) for scan in found])
         assert found[1].intervals[0].occupancy_percent.value is None
     assert counts == [[2, 0], [0, 1]]
+
+
+@pytest.mark.parametrize(("leaves", "counted"), [(False, [2, 0, 0]), (True, [2, 0, 1])])
+def test_who_stands_through_a_recording_that_is_left_out_counts_once(
+    leaves: bool, counted: list[int]
+) -> None:
+    """The one between two has another line rate: who stood in all three counted in the first and in the last.
+    Who came in it counts in the last.
+    """
+    start = datetime(2026, 5, 4, 12, tzinfo=UTC)
+    clocks = [Filming(start + timedelta(hours=number), "UTC") for number in range(3)]
+    watched = [Watched(at, str(at), clock, 3600.0, Rig(0.5, 4000.0)) for at, clock in enumerate(clocks, 1)]
+    stands = replace(seen(1), state="not_measurable", measured=False, reason=STOOD, since_s=100.0)
+    in_view = replace(stands, since_s=0.0, front_seen=False)
+    left = replace(in_view, vehicle_id=3, occupied_s=5.0, reason=STOPPED)
+    drives = replace(seen(2), since_s=50.0, line_rate_hz=4000.0)
+    between = [replace(drives, line_rate_hz=8000.0), *([left, stands] if leaves else [in_view])]
+    cars = [drives, stands, *(replace(one, scan_id=2) for one in between), replace(left, scan_id=3)]
+    found = traffic_of_seen(seen_in_each(watched, cars), 60, accepted_only=True)
+    assert [sum(one.vehicles for one in scan.intervals) for scan in found] == counted
+
+
+@pytest.mark.parametrize(
+    ("stood", "told"),
+    [("near", {"near", None}), ("far", {"far", None}), (None, {"near", "far", None})],
+)
+def test_who_stood_in_one_lane_is_not_who_is_in_view_of_another(
+    stood: str | None, told: set[str | None]
+) -> None:
+    """One that stood in any lane made all that are in view of the next recording told before."""
+    start = datetime(2026, 5, 4, 12, tzinfo=UTC)
+    starts = [Filming(start + timedelta(hours=number), "UTC") for number in range(2)]
+    watched = [Watched(number, str(number), clock, 3600.0) for number, clock in enumerate(starts, 1)]
+    still = replace(seen(1), state="not_measurable", measured=False, reason=STOOD, direction="camera_1_first")
+    cars = [replace(still, lane=stood, since_s=100.0)]
+    in_view = replace(still, scan_id=2, since_s=0.0, occupied_s=5.0, front_seen=False, reason=STOPPED)
+    cars += [replace(in_view, vehicle_id=n, lane=lane) for n, lane in enumerate(("near", "far", None), 2)]
+    _, second = seen_in_each(watched, cars)
+    assert {car.lane for car in second.vehicles if car.told_before} == told
 
 
 def test_clocks_put_back_within_an_overlap_show_one_hour_twice() -> None:

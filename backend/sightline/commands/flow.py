@@ -26,7 +26,6 @@ from sightline.linescan.traffic import (
 if TYPE_CHECKING:
     from sightline.scans.statistics.service import VehicleMotion
     from sightline.scans.statistics.traffic import ScanTraffic, Seen, ShownInterval
-    from sightline.traffic.results import Results
 
 _FILE = click.Path(dir_okay=False, path_type=Path)
 _SCANS = "line_scans.csv"
@@ -122,20 +121,20 @@ def _told_apart(places: Sequence[Path], found: Sequence[OfPlace]) -> list[Seen]:
     ]
 
 
-def _notes_of_ends(results: Sequence[Results]) -> list[str]:
+def _notes_of_ends(seen: Sequence[Seen]) -> list[str]:
     """Of those whose ends are not stated."""
-    starts = [datetime.fromisoformat(result.clock.at()) for result in results]
+    starts = [datetime.fromisoformat(each.watched.clock.at()) for each in seen if each.watched.clock]
     return [
-        f"{result.name} does not say how long was recorded: its first and last interval count as fully "
+        f"{each.watched.name} does not say how long was recorded: its first and last interval count as fully "
         "observed."
         + (
             " A vehicle that still stood at its end may count again in the next recording, or be missing in "
             "its occupancy."
-            if start < max(starts) and result.seen().standing
+            if start < max(starts) and each.standing
             else ""
         )
-        for result, start in zip(results, starts, strict=True)
-        if result.watched_s is None
+        for each, start in zip(seen, starts, strict=True)
+        if not each.watched.end_stated
     ]
 
 
@@ -148,27 +147,31 @@ def _of_place(place: Path, minutes: Sequence[int]) -> OfPlace:
     if place.suffix.lower() == ".zip" or any((place / path).is_file() for path in places_of(_SCANS)):
         return _of_package(place, minutes)
     results, left = results_in(place)
+    seen = [result.seen() for result in results]
     traffic = [each for length in minutes for each in traffic_of(results, length)]
     notes = [f"{name} in {place} has no scanned vehicles and is skipped." for name in left]
-    notes += _notes_of_ends(results)
+    notes += _notes_of_ends(seen)
     notes += [
         f"The uncertainties of the times of {result.name} and near_edge are left out, because that of its "
         "start is not stated there."
         for result in results
         if not result.u_start_told
     ]
-    seen = [result.seen() for result in results]
     return OfPlace(traffic, [row for each in seen for row in _vehicle_rows(each)], notes, seen)
 
 
 def _of_package(place: Path, minutes: Sequence[int]) -> OfPlace:
+    from sightline.export.package_tables import tables_of
     from sightline.export.scans import scanned_motions
     from sightline.export.traffic import seen_in, traffic_of_scans
+    from sightline.export.verify.described import read_description
     from sightline.infra.csv_package.files import open_package, place_of
 
     files = open_package(place)
     if place_of(files, _SCANS) not in files.paths:
         raise BadInput("commands-flow-folder-empty", place=place)
+    described = read_description(files)
+    files = described.read_in_its_format(files, tables_of(described.most_frames))
     seen = [
         replace(each, watched=replace(each.watched, site=str(place)))
         for each in seen_in(files, list(scanned_motions(files)))

@@ -27,8 +27,8 @@ from sightline.export.statistics_rows import (
 from sightline.infra.csv_package.columns import integer, metres, number, text
 from sightline.infra.csv_package.files import Files, read_columns, read_rows, undo_safe_text
 from sightline.infra.csv_package.files import number as figure_of
-from sightline.linescan.rig import rig_from
 from sightline.results.csv import selection_in
+from sightline.scans.csv import SCAN_MEASUREMENTS, rig_of_row
 from sightline.scans.heights.csv import LINE_HEIGHTS
 from sightline.scans.records import state_of
 from sightline.scans.references.csv import SCAN_REFERENCES
@@ -46,7 +46,7 @@ from sightline.scans.statistics.service import (
 from sightline.scans.store import RIG
 
 # of a motion's rig, whose distance is that of its lane
-_RIG = tuple(name for name in RIG if name != "lanes")
+_RIG = ("id", *(name for name in RIG if name != "lanes"))
 _QUANTITY = text(
     "quantity",
     "speed: when the front reaches camera 1; length; time_gap and distance_gap: from the rear before to this "
@@ -193,8 +193,8 @@ def scanned_motions(files: Files) -> Iterator[VehicleMotion]:
     """All vehicles of a package's line scans, whatever it is of, as its tables say."""
     lighting = dict(read_columns(files, "line_scans.csv", ("id", "lighting")))
     rigs = {
-        id_: rig_from({name: figure_of(value) for name, value in zip(_RIG, values, strict=True)})
-        for id_, *values in read_columns(files, "scan_measurements.csv", ("id", *_RIG))
+        cells[0]: rig_of_row(SCAN_MEASUREMENTS.key, dict(zip(_RIG, cells, strict=True)))
+        for cells in read_columns(files, SCAN_MEASUREMENTS.key, _RIG)
     }
     references = _standing(files)
     for row in read_rows(files, "scan_vehicles.csv"):

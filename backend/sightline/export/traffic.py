@@ -1,8 +1,6 @@
 """Traffic of an export's line scans: from its own rows, as tables of their own."""
 
-import json
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import fields
 from typing import get_args, get_type_hints
 
 from sightline.enums import ScanDirection
@@ -20,11 +18,10 @@ from sightline.infra.csv_package.columns import (
 from sightline.infra.csv_package.files import Files, read_rows, undo_safe_text
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.schema import CODE, Column, ids_of
-from sightline.linescan.parts import Rig
-from sightline.linescan.rig import rig_from
 from sightline.linescan.traffic import Figure, Interval
 from sightline.results.csv import selection_in
 from sightline.scans.clock import clock_of
+from sightline.scans.csv import LINE_SCANS, rig_of_row
 from sightline.scans.statistics.service import VehicleMotion
 from sightline.scans.statistics.traffic import (
     PERCENTS,
@@ -152,7 +149,7 @@ def seen_in(files: Files, vehicles: Sequence[VehicleMotion]) -> list[Seen]:
     Its days and hours alone limit their traffic: without vehicles of other classes, flows and headways would
     be of an emptier road.
     """
-    watched = [_watched(row) for row in read_rows(files, "line_scans.csv")]
+    watched = [_watched(row) for row in read_rows(files, LINE_SCANS.key)]
     return seen_in_each(watched, vehicles, selection_in(files))
 
 
@@ -164,9 +161,7 @@ def _watched(row: Mapping[str, str]) -> Watched:
             "u_start_s": figure_of(row["u_start_s"]),
         }
     )
-    told = {one.name: figure_of(row.get(one.name, "")) for one in fields(Rig) if one.name != "lanes"}
-    given = {name: value for name, value in told.items() if value is not None}
-    rig = rig_from({**given, "lanes": json.loads(row.get("lanes") or "[]")})
+    rig = rig_of_row(LINE_SCANS.key, row)
     return Watched(
         scan_id=int(row["id"]),
         name=undo_safe_text(row["name"]),

@@ -118,6 +118,16 @@ def _lane_from(document: Mapping[str, Any]) -> Lane:
     return Lane(**held)
 
 
+def sound_rig_from(document: Mapping[str, Any]) -> Rig | None:
+    """The rig of a document that people may have changed by hand; None where no rig is as it says."""
+    try:
+        rig = rig_from(document)
+        require_rig(rig)
+    except (ArithmeticError, AttributeError, TypeError, ValueError, BadInput):
+        return None
+    return rig
+
+
 def lane_named(rig: Rig, name: str | None) -> Lane | None:
     """The lane of that name; None where the rig has none."""
     return next((one for one in rig.lanes if one.name == name), None)

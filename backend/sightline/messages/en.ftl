@@ -5615,6 +5615,7 @@ scans-changed-meanwhile = { $name } changed { $name_2 } at { $when }; reload it 
 scans-field-unknown = A scan’s { $unknown } cannot be changed; leave it out.
 scans-start-u-range = An uncertainty of the start of { $u_s } s is out of range; enter a standard uncertainty above 0 and up to 3600 s.
 scans-vehicle-time-differs = { $path }: vehicle { $number } has another passing time than its recording’s start and its lines give; one of them was changed.
+scans-rig-not-sound = { $path }, row { $id }: the rig cannot be as it stands there (baseline, line rate, lanes or another of its values); get the complete package again.
 scans-gap-differs = { $path }: { $name } of vehicle { $number } is not what its motion and the one before it give; one of them was changed.
 scans-direction-differs = { $path }: revision { $number } has another direction than its lines at both cameras give; one of them was changed.
 scans-axles-without-motion = Axles are counted of a vehicle whose motion is measured; this one has none.

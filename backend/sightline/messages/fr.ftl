@@ -5679,6 +5679,7 @@ scans-changed-meanwhile = { $name } a modifié { $name_2 } le { $when } ; rech
 scans-field-unknown = { $unknown } d’un balayage n’est pas modifiable ; omettez-le.
 scans-start-u-range = Une incertitude du début de { $u_s } s est hors plage ; saisissez une incertitude-type supérieure à 0 et d’au plus 3600 s.
 scans-vehicle-time-differs = { $path } : le véhicule { $number } est passé à une autre heure que ne le donnent le début de son enregistrement et ses lignes ; l’un des deux a été modifié.
+scans-rig-not-sound = { $path }, ligne { $id } : le dispositif ne peut pas être tel qu’il y figure (base, cadence de lignes, voies ou autre valeur) ; reprenez l’export complet.
 scans-gap-differs = { $path } : { $name } du véhicule { $number } n’est pas ce que donnent son mouvement et celui d’avant ; l’un des deux a été modifié.
 scans-direction-differs = { $path } : la révision { $number } a un autre sens que ne le donnent ses lignes devant les deux caméras ; l’un des deux a été modifié.
 scans-axles-without-motion = Les essieux ne se comptent que sur un véhicule dont le mouvement est mesuré ; ce n’est pas le cas ici.

@@ -1,6 +1,8 @@
 """The tables of line-scan recordings in an export: what every column holds, and what rows they have."""
 
+import json
 from collections.abc import Iterable, Mapping
+from functools import lru_cache
 from operator import attrgetter
 from typing import Any, get_args
 
@@ -17,6 +19,7 @@ from sightline.enums import (
     ScanVerdict,
     VehicleOrigin,
 )
+from sightline.errors import Damaged
 from sightline.infra.audit.hashing import canonical_json
 from sightline.infra.csv_package.columns import (
     columns_for,
@@ -34,7 +37,8 @@ from sightline.infra.csv_package.columns import (
 from sightline.infra.csv_package.files import Staging
 from sightline.infra.csv_package.schema import Cell, Column, Table, ids_of
 from sightline.infra.database import Session
-from sightline.linescan.parts import Gap
+from sightline.linescan.parts import Gap, Rig
+from sightline.linescan.rig import sound_rig_from
 from sightline.measurements.csv import given_verdict, standing_verdict
 from sightline.recordings.csv import started_column
 from sightline.scans.clock import Passing
@@ -45,14 +49,14 @@ from sightline.scans.references.csv import SCAN_REFERENCES, ListedReference, lis
 from sightline.scans.references.store import reference_history_of_scan, standing_references
 from sightline.scans.rig.csv import TABLES as RIG_TABLES
 from sightline.scans.rig.csv import fill_rigs
-from sightline.scans.store import list_scans, rig_columns
+from sightline.scans.store import RIG, list_scans, rig_columns
 from sightline.scans.vehicles.listing import ShownVehicle, shown_vehicles
 from sightline.scans.vehicles.measurement_store import scan_measurement_history
 from sightline.scans.vehicles.review_store import list_scan_reviews
 from sightline.scans.vehicles.store import list_scan_vehicles
 from sightline.surveys.store import get_survey
 
-Rig = Mapping[str, Cell]
+RigCells = Mapping[str, Cell]
 
 
 def axle_words(lines: list[float] | None) -> str | None:
@@ -63,6 +67,27 @@ def axle_words(lines: list[float] | None) -> str | None:
 def lanes_text(lanes: list[JsonObject] | None) -> str | None:
     """Lanes of a rig as a cell has them: canonical JSON, as the audit chain hashes them."""
     return canonical_json(lanes) if lanes else None
+
+
+def rig_of_row(path: str, row: Mapping[str, str]) -> Rig:
+    """The rig of a row of a package's table; what is empty, or was no column yet, is as usual. Raises Damaged
+    where no rig is as it says.
+    """
+    rig = _rig_of_cells(tuple(row.get(name, "") for name in RIG))
+    if rig is None:
+        raise Damaged("scans-rig-not-sound", path=path, id=row["id"])
+    return rig
+
+
+@lru_cache(maxsize=1000)
+def _rig_of_cells(cells: tuple[str, ...]) -> Rig | None:
+    """By the order of `RIG`; the motions of a recording have few rigs."""
+    held = {name: cell for name, cell in zip(RIG, cells, strict=True) if cell}
+    try:
+        told = {name: json.loads(cell) if name == "lanes" else float(cell) for name, cell in held.items()}
+    except (ValueError, RecursionError):
+        return None
+    return sound_rig_from(told)
 
 
 def _with_u(name: str, meaning: str, unit: str) -> tuple[Column[ScanValues], ...]:
@@ -76,11 +101,11 @@ def _with_u(name: str, meaning: str, unit: str) -> tuple[Column[ScanValues], ...
     )
 
 
-def _of_rig(name: str, meaning: str, unit: str) -> Column[Rig]:
+def _of_rig(name: str, meaning: str, unit: str) -> Column[RigCells]:
     return number(name, meaning, unit, lambda rig: rig[name])
 
 
-_RIG: tuple[Column[Rig], ...] = (
+_RIG: tuple[Column[RigCells], ...] = (
     _of_rig("baseline_m", "between both scanning planes at the road", "m"),
     _of_rig("u_baseline_m", "standard uncertainty of the baseline (k = 1)", "m"),
     _of_rig("line_rate_hz", "lines a second of either camera", "Hz"),

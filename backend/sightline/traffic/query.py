@@ -64,32 +64,24 @@ class ArchiveTables:
         """Every lane of every site, and how much there is of it."""
         lanes = []
         for site in sites_of(self._folder):
-            watched = self._query_rows(
+            rows = self._query_rows(
                 """
-                SELECT lane, any_value(zone) AS zone, count(DISTINCT recording_sha256) AS recordings,
-                  min(day) AS first_day, max(day) AS last_day, count(DISTINCT day) AS days,
-                  sum(to_s - from_s) AS watched_s
-                FROM watched GROUP BY lane ORDER BY lane
+                WITH lanes AS (
+                  SELECT lane, any_value(zone) AS zone, count(DISTINCT recording_sha256) AS recordings,
+                    min(day) AS first_day, max(day) AS last_day, count(DISTINCT day) AS days,
+                    sum(to_s - from_s) AS watched_s
+                  FROM watched GROUP BY lane
+                ), passed AS (
+                  SELECT lane, count(*) AS vehicles, count(*) FILTER (status = 'ok') AS measured
+                  FROM vehicles WHERE NOT told_before GROUP BY lane
+                )
+                SELECT lanes.*, coalesce(vehicles, 0) AS vehicles, coalesce(measured, 0) AS measured
+                FROM lanes LEFT JOIN passed USING (lane) ORDER BY lane
                 """,
                 site,
                 Asked(),
             )
-            passed = {
-                row["lane"]: row
-                for row in self._query_rows(
-                    """
-                    SELECT lane, count(*) AS vehicles, count(*) FILTER (status = 'ok') AS measured
-                    FROM vehicles WHERE NOT told_before GROUP BY lane
-                    """,
-                    site,
-                    Asked(),
-                )
-            }
-            none = {"vehicles": 0, "measured": 0}
-            for row in watched:
-                own = passed.get(row["lane"], none)
-                counts = {name: own[name] for name in none}
-                lanes.append(Site(site=site, **row, **counts))
+            lanes += [Site(site=site, **row) for row in rows]
         return lanes
 
     def vehicles(self, site: str) -> list[dict[str, Any]]:
@@ -124,12 +116,10 @@ class ArchiveTables:
                 files_of(self._folder, table, site, None, asked.last_day) for table in (WATCHED, VEHICLES)
             )
         )
-        self._db.execute(
-            f"CREATE OR REPLACE TEMP VIEW watched AS {_WATCHED.format(_read_parquet_sql(watched))}"
-        )
+        self._db.execute(_WATCHED.format(_read_parquet_sql(watched)))
         read = f"{_read_parquet_sql(passed)} UNION ALL BY NAME {_NOBODY}" if passed else _NOBODY
-        passed_sql = _PASSED.format(read, SHARED_S, _CUT, ROUGH_S)
-        self._db.execute(f"CREATE OR REPLACE TEMP VIEW passings AS {passed_sql}")
+        self._db.execute(f"CREATE OR REPLACE TEMP VIEW passed AS {read}")
+        self._db.execute(_TOLD_BEFORE)
         self._db.execute(_STOOD_BEFORE)
         result = self._db.execute(query)
         names = [one[0] for one in result.description or ()]
@@ -181,31 +171,35 @@ SELECT NULL::DATE AS day, NULL::VARCHAR AS lane, NULL::VARCHAR AS status, NULL::
 
 #: Where segments of a stream overlap, the first one watched.
 _WATCHED = """
+CREATE OR REPLACE TEMP TABLE watched AS
 SELECT * EXCLUDE (before_s) REPLACE (if(before_s - from_s > 0.001, before_s, from_s) AS from_s)
 FROM (SELECT *, max(epoch(midnight_at) + to_s) OVER (PARTITION BY lane ORDER BY start_at, day
   ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING) - epoch(midnight_at) AS before_s FROM ({}))
 """
 #: Who came while another segment watched was told of that one; who was cut by its end, of the next one, where
 #: that had begun by then.
-_PASSED = """
-WITH passed AS ({}), begun AS (
-  SELECT recording_sha256, lane, any_value(start_at) AS start_at, min(epoch(midnight_at) + from_s) AS from_s
-  FROM watched GROUP BY recording_sha256, lane
-), cut AS (
-  SELECT passed.*, later.recording_sha256 AS told_in FROM passed JOIN begun USING (recording_sha256, lane)
-  JOIN begun AS later ON passed.lane IN (later.lane, '') AND later.start_at > begun.start_at
-    AND epoch(passed_at) - epoch(later.start_at) BETWEEN 0 AND {} WHERE reason = '{}' AND front_line_1 > 0
-)
+_TOLD_BEFORE = f"""
+CREATE OR REPLACE TEMP TABLE begun AS
+SELECT recording_sha256, lane, any_value(start_at) AS start_at, min(epoch(midnight_at) + from_s) AS from_s
+FROM watched GROUP BY recording_sha256, lane;
+CREATE OR REPLACE TEMP TABLE cut AS
+SELECT passed.recording_sha256, number, passed.lane, epoch(passed_at) AS passed_s,
+  later.recording_sha256 AS told_in
+FROM passed JOIN begun USING (recording_sha256, lane)
+JOIN begun AS later ON passed.lane IN (later.lane, '') AND later.start_at > begun.start_at
+  AND epoch(passed_at) - epoch(later.start_at) BETWEEN 0 AND {SHARED_S}
+WHERE reason = '{_CUT}' AND front_line_1 > 0;
+CREATE OR REPLACE TEMP VIEW passings AS
 SELECT * EXCLUDE (start_at, from_s) REPLACE (
   coalesce(told_before, false) OR epoch(passed_at) < least(from_s - 0.001, (
-    SELECT min(epoch(cut.passed_at)) - {} FROM cut
+    SELECT min(passed_s) - {ROUGH_S} FROM cut
     WHERE told_in = passed.recording_sha256 AND cut.lane IN (passed.lane, '')))
   OR (recording_sha256, number) IN (SELECT (cut.recording_sha256, cut.number) FROM cut) AS told_before)
 FROM passed JOIN begun USING (recording_sha256, lane)
 """
 
-#: Who stood when a recording ended that another goes on from, `later_s` after it, in a minute at most. Who is
-#: in view as one goes on at once is told of the one before.
+#: Who stood when a recording ended that another goes on from, `later_s` after it, in a minute at most; one of
+#: unknown lane in any. Who is in view of its lane as one goes on at once is told of the one before.
 _STOOD_BEFORE = f"""
 CREATE OR REPLACE TEMP TABLE days AS
 SELECT day, any_value(day_s) AS day_s, epoch(any_value(midnight_at)) AS begin_s FROM watched GROUP BY day;
@@ -214,20 +208,17 @@ SELECT recording_sha256, lane, min(begin_s + from_s) AS first_s, max(begin_s + t
   count(*) OVER (PARTITION BY recording_sha256) > 1 AS has_lanes
 FROM watched JOIN days USING (day) GROUP BY recording_sha256, lane;
 CREATE OR REPLACE TEMP TABLE shown AS
-SELECT recording_sha256, lane, count(speed_mps) > 0 AS driven, bool_or(front_line_1 <= 0) AS in_view
-FROM passings GROUP BY recording_sha256, lane;
+SELECT recording_sha256, lane, count(speed_mps) > 0 AS driven, bool_or(front_line_1 <= 0) AS in_view,
+  list({{length_m: length_m, reason: reason, until_s: begin_s + since_midnight_s + occupied_s}})
+    FILTER (reason IN ('{_STOOD}', '{_STOPPED}')) AS rested
+FROM passings JOIN days USING (day) GROUP BY recording_sha256, lane;
 CREATE OR REPLACE TEMP TABLE stood_before AS
 WITH RECURSIVE stands AS (
-  SELECT recording_sha256, lane, lane AS own_lane, length_m, reason, occupied_s,
-    begin_s + since_midnight_s + occupied_s AS until_s
-  FROM passings JOIN days USING (day) WHERE reason IN ('{_STOOD}', '{_STOPPED}')
-), placed AS (
-  FROM stands UNION ALL
-  SELECT stands.* REPLACE (ends.lane AS lane) FROM stands JOIN ends USING (recording_sha256)
-  WHERE occupied_s IS NULL AND stands.lane = '' AND has_lanes AND ends.lane <> ''
+  SELECT recording_sha256, lane, unnest(rested, recursive := true) FROM shown
 ), stood_before AS (
-  SELECT next.*, length_m, own_lane, next.first_s - ends.end_s AS later_s
-  FROM placed JOIN ends USING (recording_sha256, lane) JOIN ends AS next USING (lane)
+  SELECT next.*, length_m, stands.lane AS own_lane, next.first_s - ends.end_s AS later_s
+  FROM stands JOIN ends USING (recording_sha256, lane)
+  JOIN ends AS next ON next.lane = ends.lane OR (ends.lane = '' AND ends.has_lanes)
   WHERE next.first_s BETWEEN ends.end_s - 0.001 AND ends.end_s + {STANDS_S}
     AND (reason = '{_STOOD}' OR until_s > ends.end_s - {AT_END_S})
   UNION
@@ -238,8 +229,9 @@ WITH RECURSIVE stands AS (
   WHERE next.first_s BETWEEN ends.end_s - 0.001 AND ends.end_s + {STANDS_S}
 ) FROM stood_before;
 CREATE OR REPLACE TEMP VIEW vehicles AS
-SELECT * REPLACE (told_before OR (front_line_1 <= 0 AND reason IS NOT NULL AND recording_sha256 IN (
-  SELECT recording_sha256 FROM stood_before WHERE later_s <= {GOES_ON_S})) AS told_before)
+SELECT * REPLACE (told_before OR (front_line_1 <= 0 AND reason IS NOT NULL AND EXISTS (
+  FROM stood_before WHERE later_s <= {GOES_ON_S} AND recording_sha256 = passings.recording_sha256
+    AND passings.lane IN (lane, ''))) AS told_before)
 FROM passings
 """
 

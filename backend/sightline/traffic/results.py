@@ -20,7 +20,7 @@ from sightline.infra.given_csv import GivenTable, read_table
 from sightline.infra.local_time import to_millisecond
 from sightline.linescan.clock import u_passing_s
 from sightline.linescan.parts import Rig, front_seen
-from sightline.linescan.rig import at_lane, require_rig, rig_from, speed_ratio_of
+from sightline.linescan.rig import at_lane, sound_rig_from, speed_ratio_of
 from sightline.linescan.traffic import Stream
 from sightline.messages.said import Said
 from sightline.recordings.filming import Filming
@@ -29,7 +29,9 @@ from sightline.scans.statistics.traffic import (
     Clock,
     ScanTraffic,
     Seen,
+    StoodBefore,
     Watched,
+    find_who_stood,
     mark_told_before,
     traffic_of_seen,
 )
@@ -69,7 +71,7 @@ class StatedClock:
 class Results:
     """The vehicles of one recording, from `clock`'s start on; `watched_s` None: it is not said how long;
     `u_start_told`: whether the u of its start is known, without which its times of day have none; `rig` None:
-    not told.
+    not told; `stood`: who may have stood when another just before it ended.
     """
 
     name: str
@@ -79,6 +81,7 @@ class Results:
     site: str = ""
     u_start_told: bool = True
     rig: Rig | None = None
+    stood: Sequence[StoodBefore] = ()
 
     def seen(self) -> Seen:
         """What was watched for sure: until its last vehicle had passed where it is not said how long."""
@@ -99,7 +102,7 @@ class Results:
         cars = [replace(one, since_s=(one.since_s or 0.0) + by_s) for one in self.vehicles]
         stated = self.watched_s is not None
         watched = Watched(0, self.name, clock, watched_s, rig=self.rig, site=self.site, end_stated=stated)
-        return Seen(watched, cars)
+        return Seen(watched, cars, stood=self.stood)
 
 
 def traffic_of(results: Sequence[Results], minutes: int) -> tuple[ScanTraffic, ...]:
@@ -116,11 +119,16 @@ def results_in(place: Path) -> tuple[list[Results], list[str]]:
     if not place.is_dir():
         return [_of_data(place, bytes_of(place))], []
     if (place / WATCHED).is_dir():
-        return list(_of_archive(place)), []
-    results, others = _in_folder(place)
-    marked = mark_told_before([one.seen() for one in results])
-    told = [replace(one, vehicles=tuple(seen.vehicles)) for one, seen in zip(results, marked, strict=True)]
-    return told, others
+        results, others = list(_of_archive(place)), list[str]()
+        seen = find_who_stood([one.seen() for one in results])
+    else:
+        results, others = _in_folder(place)
+        seen = mark_told_before([one.seen() for one in results])
+    marked = [
+        replace(one, vehicles=tuple(each.vehicles), stood=each.stood)
+        for one, each in zip(results, seen, strict=True)
+    ]
+    return marked, others
 
 
 def _in_folder(place: Path) -> tuple[list[Results], list[str]]:
@@ -161,12 +169,7 @@ def _rig_told(whole: Mapping[str, Any]) -> Rig | None:
     """The rig that a recording's JSON tells of; None where it does not tell all that belongs to one."""
     if not all(one.name in whole for one in fields(Rig)):
         return None
-    try:
-        rig = rig_from({one.name: whole[one.name] for one in fields(Rig)})
-        require_rig(rig)
-    except (AttributeError, TypeError, BadInput):
-        return None
-    return rig
+    return sound_rig_from({one.name: whole[one.name] for one in fields(Rig)})
 
 
 def _start(path: Path, said: object) -> datetime:

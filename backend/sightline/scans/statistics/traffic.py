@@ -74,20 +74,46 @@ class Watched:
         return self.rig is None or other.rig is None or may_be_one_rig(self.rig, other.rig)
 
 
+@dataclass(frozen=True)
+class StoodBefore:
+    """One who may have stood `later_s` before a recording begins; of unknown lane, in any stream that it is
+    not known to be `gone` from. `counts`: where it stood, with an end that is stated.
+    """
+
+    stream: Stream
+    later_s: float = 0.0
+    gone: frozenset[Stream] = frozenset()
+    counts: bool = True
+
+    def may_stand_in(self, stream: Stream) -> bool:
+        """Whether it may stand in a stream as its recording begins."""
+        return _may_be_of(self.stream, stream) and stream not in self.gone
+
+    def may_be_in_view(self, stream: Stream) -> bool:
+        """Whether one that is in view of a stream as its recording begins may be this one, and counts before:
+        of its lane, or one lane is not known. Which way one that stands goes is not known.
+        """
+        left = self.stream in self.gone or (stream[1] is not None and stream in self.gone)
+        return self.counts and self.later_s <= GOES_ON_S and not left and _may_share_lane(self.stream, stream)
+
+
 @dataclass(frozen=True, eq=False)
 class Seen:
-    """A recording and its vehicles; `filmed`: on which days and at which hours its traffic is asked for."""
+    """A recording and its vehicles; `filmed`: on which days and at which hours its traffic is asked for;
+    `stood`: who may have stood when one just before it ended (`find_who_stood`).
+    """
 
     watched: Watched
     vehicles: Sequence[VehicleMotion]
     filmed: FilmedWithin = field(default_factory=FilmedWithin)
+    stood: Sequence[StoodBefore] = ()
 
     @cached_property
     def streams(self) -> dict[Stream, list[VehicleMotion]]:
         """Its vehicles by direction and lane."""
         return streams_of(self.vehicles)
 
-    @property
+    @cached_property
     def counted(self) -> dict[Stream, list[VehicleMotion]]:
         """Those of them whose traffic is counted."""
         return {
@@ -96,20 +122,49 @@ class Seen:
             if cars and why_not_counted(self.watched, cars) is None
         }
 
-    @property
-    def standing(self) -> set[Stream]:
-        """The streams of which one still stood at the end, where that is known."""
-        if self.watched.watched_s is None:
-            return set()
+    @cached_property
+    def standing(self) -> dict[Stream, list[VehicleMotion]]:
+        """Those that still stood at the end, where that is known."""
         end_s = self.watched.watched_s
+        if end_s is None:
+            return {}
+        found = {
+            stream: [car for car in cars if _stands_at_end(car, end_s)]
+            for stream, cars in self.streams.items()
+        }
+        return {stream: cars for stream, cars in found.items() if cars}
+
+    def is_in_view_of_before(self, car: VehicleMotion, stream: Stream) -> bool:
+        """Whether a vehicle was told of a recording before, from which this one goes on at once."""
+        return not car.front_seen and any(one.may_be_in_view(stream) for one in self.stood)
+
+    def streams_asked(self, from_s: float, until_s: float) -> set[Stream]:
+        """The streams of which a vehicle was in view between two times, seconds since 1970, and counts within
+        the days and hours asked for.
+        """
         return {
-            stream for stream, cars in self.streams.items() if any(_stands_at_end(car, end_s) for car in cars)
+            stream
+            for stream, spans in self._in_view_s.items()
+            if any(came_s <= until_s and left_s >= from_s for came_s, left_s in spans)
         }
 
     @cached_property
-    def asked(self) -> set[Stream]:
-        """The streams of which a vehicle counts within the days and hours asked for."""
-        return {stream for stream, cars in self.counted.items() if any(map(self._is_asked, cars))}
+    def _in_view_s(self) -> dict[Stream, list[tuple[float, float]]]:
+        """From when to when each vehicle was in view that counts within the days and hours asked for; one
+        whose rear nobody saw to the end.
+        """
+        if self.watched.span_s is None:
+            return {}
+        begin_s, end_s = self.watched.span_s
+        return {
+            stream: [
+                (came_s, end_s if car.occupied_s is None else came_s + car.occupied_s)
+                for car in cars
+                if self._is_asked(car)
+                for came_s in [begin_s + (car.since_s or 0.0)]
+            ]
+            for stream, cars in self.counted.items()
+        }
 
     def _is_asked(self, car: VehicleMotion) -> bool:
         clock = self.watched.clock
@@ -125,18 +180,6 @@ def why_not_counted(scan: Watched, vehicles: Sequence[VehicleMotion]) -> Said | 
     if scan.rig and any(one.line_rate_hz not in (None, scan.rig.line_rate_hz) for one in vehicles):
         return Said("scans-traffic-other-rate")
     return None if scan.clock else Said("scans-traffic-no-start")
-
-
-@dataclass(frozen=True)
-class _Stood:
-    """One who may have stood `later_s` before a recording begins; of unknown lane, in any stream that it is
-    not known to be `gone` from. `counts`: where it stood, with an end that is stated.
-    """
-
-    stream: Stream
-    later_s: float = 0.0
-    gone: frozenset[Stream] = frozenset()
-    counts: bool = True
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -198,15 +241,22 @@ def seen_in_each(
 
 
 def mark_told_before(seen: Sequence[Seen]) -> list[Seen]:
-    """The recordings with those vehicles `told_before` that count in another: where one that counts stood as
-    a recording ended and the next one goes on at once, who is in view as that begins.
+    """The recordings with who stood before, and with those vehicles `told_before` that count in another:
+    where one that counts stood as a recording ended and the next one goes on at once, who is in view of its
+    lane as that begins.
     """
-    out = list[Seen]()
-    for each, ended in zip(seen, _stood_before(seen), strict=True):
-        goes_on = any(one.counts and one.later_s <= GOES_ON_S and one.stream not in one.gone for one in ended)
-        told = [replace(car, told_before=True) if not car.front_seen else car for car in each.vehicles]
-        out.append(replace(each, vehicles=told) if goes_on else each)
-    return out
+    return [_mark(each) for each in find_who_stood(seen)]
+
+
+def _mark(seen: Seen) -> Seen:
+    told = {
+        id(car)
+        for stream, cars in seen.streams.items()
+        for car in cars
+        if seen.is_in_view_of_before(car, stream)
+    }
+    cars = [replace(car, told_before=True) if id(car) in told else car for car in seen.vehicles]
+    return replace(seen, vehicles=cars) if told else seen
 
 
 def traffic_of_seen(seen: Sequence[Seen], minutes: int, *, accepted_only: bool) -> tuple[ScanTraffic, ...]:
@@ -220,9 +270,9 @@ def traffic_of_seen(seen: Sequence[Seen], minutes: int, *, accepted_only: bool) 
     recording ended, the next one, within a minute, tells no occupancy.
     """
     out = []
-    for each, ended in zip(seen, _stood_before(seen), strict=True):
+    for each in seen:
         for stream, cars in each.streams.items():
-            before = any(_may_be_of(one.stream, stream) and stream not in one.gone for one in ended)
+            before = any(one.may_stand_in(stream) for one in each.stood)
             strayed = [
                 car
                 for other, passed in each.streams.items()
@@ -236,31 +286,37 @@ def traffic_of_seen(seen: Sequence[Seen], minutes: int, *, accepted_only: bool) 
     return tuple(out)
 
 
-def _stood_before(seen: Sequence[Seen]) -> list[list[_Stood]]:
-    """For each recording, who may have stood when one just before it ended. One that stands through a whole
-    recording leaves no trace in it: it is taken to be gone from a stream once another of that has driven
-    through, or was in view at line 0.
+def find_who_stood(seen: Sequence[Seen]) -> list[Seen]:
+    """The recordings, each with who may have stood when one just before it ended. One that stands through a
+    whole recording leaves no trace in it: it is taken to be gone from a stream once another of that has
+    driven through, or was in view at line 0. One that was in view then and stands to the end counts where it
+    came, also after a recording whose traffic is not counted.
     """
-    found: list[list[_Stood]] = [[] for _ in seen]
-    stood = list[tuple[Watched, float, _Stood]]()
+    found = list(seen)
+    stood = list[tuple[Watched, float, StoodBefore]]()
     spans = [(span, at) for at, each in enumerate(seen) if (span := each.watched.span_s) is not None]
     for (begin_s, end_s), at in sorted(spans):
-        watched, by_stream = seen[at].watched, seen[at].streams
+        watched = seen[at].watched
         stood = [one for one in stood if begin_s - one[1] <= STANDS_S]
-        found[at] = [
+        before = [
             replace(one, later_s=begin_s - until_s)
             for other, until_s, one in stood
             if begin_s - until_s >= -_SHARED_S and watched.may_see_the_road_of(other)
         ]
-        in_view = {stream for stream, cars in by_stream.items() if not all(car.front_seen for car in cars)}
-        driven = {stream for stream, cars in by_stream.items() if any(car.measured for car in cars)}
+        own = found[at] = replace(seen[at], stood=before)
+        in_view = {stream for stream, cars in own.streams.items() if not all(car.front_seen for car in cars)}
+        driven = {stream for stream, cars in own.streams.items() if any(car.measured for car in cars)}
         stand = {
-            _Stood(stream, counts=watched.end_stated and stream in seen[at].counted)
-            for stream in seen[at].standing
+            StoodBefore(
+                stream,
+                counts=watched.end_stated
+                and (stream in own.counted or all(own.is_in_view_of_before(car, stream) for car in standing)),
+            )
+            for stream, standing in own.standing.items()
         }
         stand |= {
             replace(one, later_s=0.0, gone=one.gone | driven, counts=one.counts and watched.end_stated)
-            for one in found[at]
+            for one in before
             if one.stream not in in_view
         }
         stood += [(watched, end_s, one) for one in stand]
@@ -270,7 +326,7 @@ def _stood_before(seen: Sequence[Seen]) -> list[list[_Stood]]:
 def notes_of_overlaps(seen: Sequence[Seen]) -> list[Said]:
     """Which recordings of one road saw one direction and lane at the same time, by more than starts told by
     people leave open: of each the earlier one that it shares most with, the seconds that the traffic is asked
-    for of both, and how many others. A vehicle of that time is in both, and counts in each.
+    for of both, and how many others. Each has a vehicle of that time: one that is in both counts in each.
     """
     notes, before = list[Said](), list[tuple[float, int]]()
     spans = [(span, at) for at, each in enumerate(seen) if (span := each.watched.span_s) is not None]
@@ -281,7 +337,7 @@ def notes_of_overlaps(seen: Sequence[Seen]) -> list[Said]:
             (shared_s, seen[other].watched)
             for until_s, other in before
             if min(until_s, end_s) - begin_s > _SHARED_S
-            and _is_shared(seen[other], later)
+            and _is_shared(seen[other], later, begin_s - _SHARED_S, min(until_s, end_s) + _SHARED_S)
             and (shared_s := _asked_s(seen[other], later, begin_s, min(until_s, end_s))) > 0
         ]
         if shared:
@@ -318,11 +374,17 @@ def _is_asked(seen: Seen, at_s: float) -> bool:
     return seen.filmed.holds(clock.at(at_s - span_s[0]))
 
 
-def _is_shared(first: Seen, second: Seen) -> bool:
-    """Whether one vehicle may be in both; of unknown lane it may be in any."""
+def _is_shared(first: Seen, second: Seen, from_s: float, until_s: float) -> bool:
+    """Whether one vehicle may be in both between two times; of unknown lane it may be in any."""
     return first.watched.may_see_the_road_of(second.watched) and any(
-        a[0] == b[0] and (a[1] == b[1] or None in (a[1], b[1])) for a in first.asked for b in second.asked
+        a[0] == b[0] and _may_share_lane(a, b)
+        for a in first.streams_asked(from_s, until_s)
+        for b in second.streams_asked(from_s, until_s)
     )
+
+
+def _may_share_lane(first: Stream, second: Stream) -> bool:
+    return first[1] == second[1] or None in (first[1], second[1])
 
 
 def _may_be_of(stream: Stream, lane: Stream) -> bool:
