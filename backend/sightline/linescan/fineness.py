@@ -88,15 +88,12 @@ def carried_on(picture: Pixels, noise_dn: float) -> float | None:
     return float(np.mean(down) + np.mean(up)) / 2 / here
 
 
-def lines_apart(
-    passage: Passage, delay: float, upper_part: float, reach: int = _REACH_LINES
-) -> float | None:
+def lines_apart(passage: Passage, delay: float, upper_part: float, reach: int = _REACH_LINES) -> float | None:
     """How many lines after the first picture the second shows the same; None where they do not tell.
 
     `delay`: lines, what the boundaries say; `upper_part`: of the rows, looked at; `reach`: so many lines
-    beside the delay. Own method: the correlation
-    of both pictures, each less its rows' means, at whole lines near `delay`; between them it rises and falls
-    in straight lines, as that of lines that share nothing does.
+    beside the delay. Own method: the correlation of both pictures, each less its rows' means, at whole lines
+    near `delay`; between them it rises and falls in straight lines, as that of lines that share nothing does.
     """
     c, least, most = passage.crossings, round(delay) - reach, round(delay) + reach
     start = max(int(np.ceil(c.front_line_1)), passage.start_1, passage.start_2 - least)
