@@ -471,3 +471,25 @@ def test_an_hour_that_clocks_show_twice_wants_its_offset() -> None:
                 long.instant("02:30:00" if hours == 26 else "02:00:00")
     # the first of the two hours alone was recorded
     assert matching("2026-10-25T01:30:00", 4000.0).instant("02:30:00") == at("2026-10-25T02:30:00+02:00")
+
+
+@pytest.mark.parametrize(
+    "column, value, times",
+    [("speed_kmh", "19.3", "0.28"), ("speed_mps", "69.5", "3.60"), ("speed_mph", "69.5", "1.61")],
+)
+def test_speeds_in_another_unit_than_their_column_says_are_told(
+    operator: Client, scan_id: int, column: str, value: str, times: str
+) -> None:
+    """Every line is in range, so that all were stored without a word."""
+    text = "\n".join([f"number,source,{column},u_{column}", *(f"{n},radar,{value},0.1" for n in range(1, 6))])
+    (note,) = sent(operator, scan_id, "preview", text).json()["notes"]
+    assert note["message"].startswith(f"The speed of 4 lines is {times} times ours (median)")
+
+
+def test_references_like_ours_are_not_doubted_and_one_wrong_line_is_not_the_file_s(
+    operator: Client, scan_id: int
+) -> None:
+    text = "number,source,speed_kmh,u_speed_kmh,length_m,u_length_m\n" + "\n".join(
+        f"{n},radar,{19.3 if n == 1 else 69.5},0.5,4.7,0.1" for n in range(1, 5)
+    )
+    assert sent(operator, scan_id, "preview", text).json()["notes"] == []

@@ -21,19 +21,23 @@ FEWEST_LINES, MOST_LINES = 12, 4096
 _SIGMAS = 5.0
 # boundaries may be two lines off, so pictures are looked for as far away, and one beside them
 _REACH_LINES = 3
+# of what passes in so few lines that the finder tells none from another, rough boundaries are off by more
+_FAR_REACH_LINES = 8
 # pictures no more alike than so do not tell how far apart they lie
 _LEAST_ALIKE = 0.3
 # to so much of a line is known how many lie from camera to camera: by pictures that share little between two
 # lines, and by boundaries
 _SURE_BY_PICTURES, _SURE_BY_BOUNDARIES = 0.2, 1.0
+_LEAST_APART = 0.5
 
 
 def too_coarse(passage: Passage, rig: Rig) -> Said | None:
     """Why the lines are too slow for this vehicle, and what to do; None where they are not.
 
-    Also None where the picture shows too little to tell.
+    Also None where the picture shows too little to tell; of a passage with a reason, which has only rough
+    boundaries, where both pictures do not tell how far apart they lie.
     """
-    c = passage.crossings
+    rough, c = passage.reason is not None, passage.crossings
     delay = (c.front_line_2 - c.front_line_1 + c.rear_line_2 - c.rear_line_1) / 2
     carried = [
         carried_on(
@@ -45,14 +49,20 @@ def too_coarse(passage: Passage, rig: Rig) -> Said | None:
         )
     ]
     told = [one for one in carried if one is not None]
-    if delay <= 0 or not told or sum(told) / len(told) >= LEAST_CARRIED:
+    if (delay <= 0 and not rough) or not told or sum(told) / len(told) >= LEAST_CARRIED:
         return None
-    apart = lines_apart(passage, delay, 1.0 - rig.shadow_share)
+    reach = _FAR_REACH_LINES if rough else _REACH_LINES
+    apart = lines_apart(passage, delay, 1.0 - rig.shadow_share, reach)
+    if rough:
+        # either way, but not at once: that is the light, or a camera that gave way
+        if apart is None or abs(apart) < _LEAST_APART:
+            return None
+        apart = abs(apart)
     lines, sure = (delay, _SURE_BY_BOUNDARIES) if apart is None else (apart, _SURE_BY_PICTURES)
     baseline_m, _ = baseline_of(rig)
     line_m = baseline_m / lines
     # the rate does for the fastest that so many lines allow
-    most_m = baseline_m / max(lines - sure, 1.0)
+    most_m = baseline_m / max(lines - sure, lines / 2)
     rate_hz = rig.line_rate_hz * max(most_m / GOOD_LINE_M, 2.0)
     return Said(
         "scan-motion-too-coarse", line_mm=round(1000 * line_m), rate_hz=round(float(f"{rate_hz:.2g}"))
@@ -78,14 +88,14 @@ def carried_on(picture: Pixels, noise_dn: float) -> float | None:
     return float(np.mean(down) + np.mean(up)) / 2 / here
 
 
-def lines_apart(passage: Passage, delay: float, upper_part: float) -> float | None:
+def lines_apart(passage: Passage, delay: float, upper_part: float, reach: int = _REACH_LINES) -> float | None:
     """How many lines after the first picture the second shows the same; None where they do not tell.
 
-    `delay`: lines, what the boundaries say; `upper_part`: of the rows, looked at. Own method: the correlation
-    of both pictures, each less its rows' means, at whole lines near `delay`; between them it rises and falls
-    in straight lines, as that of lines that share nothing does.
+    `delay`: lines, what the boundaries say; `upper_part`: of the rows, looked at; `reach`: so many lines
+    beside the delay. Own method: the correlation of both pictures, each less its rows' means, at whole lines
+    near `delay`; between them it rises and falls in straight lines, as that of lines that share nothing does.
     """
-    c, least, most = passage.crossings, round(delay) - _REACH_LINES, round(delay) + _REACH_LINES
+    c, least, most = passage.crossings, round(delay) - reach, round(delay) + reach
     start = max(int(np.ceil(c.front_line_1)), passage.start_1, passage.start_2 - least)
     stop = min(
         int(c.rear_line_1) + 1,
@@ -119,6 +129,6 @@ def _correlation(first: Pixels, second: Pixels) -> float:
 
 def _cut_between(picture: Pixels, front: float, rear: float, upper_part: float) -> Pixels:
     """The upper rows of the lines from front to rear, of the middle ones MOST_LINES at most."""
-    start, stop = max(int(np.ceil(front)), 0), min(int(rear) + 1, len(picture))
+    start, stop = max(int(np.ceil(front)), 0), max(min(int(rear) + 1, len(picture)), 0)
     more = max(stop - start - MOST_LINES, 0) // 2
     return picture[start + more : stop - more, : max(2, int(picture.shape[1] * upper_part))]

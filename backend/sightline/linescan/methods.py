@@ -68,7 +68,8 @@ def refuse_unlikely(measure: Callable[[Passage, Rig], Motion]) -> Callable[[Pass
 
     def measured(passage: Passage, rig: Rig) -> Motion:
         motion = measure(passage, rig)
-        coarse = too_coarse(passage, rig) if passage.reason is None else None
+        judged = passage.reason is None or passage.reason.code == "scan-motion-few-lines"
+        coarse = too_coarse(passage, rig) if judged else None
         if coarse is not None:
             return Motion(motion.method, motion.crossings, "not_measurable", coarse)
         reason = unlikely_motion_reason(motion, rig)

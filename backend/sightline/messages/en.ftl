@@ -6917,6 +6917,14 @@ reference-times-need-start = { $name } has times, but the start of this line sca
 reference-times-later = The times of { NUMBER($count) } lines are { $off_s } s later (median) than those of their vehicles.
 reference-times-earlier = The times of { NUMBER($count) } lines are { $off_s } s earlier (median) than those of their vehicles.
 reference-times-start = The U95 of the start of this line scan is { $U95_s } s, more than the tolerance of { $tolerance_s } s: a line may fit a neighbouring vehicle. Check the pairs.
+reference-unit-doubtful = The { $quantity ->
+    [speed] speed
+    [length] length
+   *[wheelbase] wheelbase
+} of { NUMBER($count) } { $count ->
+    [one] line
+   *[other] lines
+} is { $times } times ours (median): check the unit that the name of its column states.
 reference-line-replaces = Replaces the { $quantity } { $value } { $unit } (u = { $u } { $unit }).
 reference-line-renames = Was a run of { $car }.
 reference-car-too-long = The car’s name is longer than 100 characters; shorten it.

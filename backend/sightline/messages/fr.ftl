@@ -6992,6 +6992,14 @@ reference-times-need-start = { $name } contient des heures, mais le début de ce
 reference-times-later = Les heures de { NUMBER($count) } lignes sont en retard de { $off_s } s (médiane) sur celles de leurs véhicules.
 reference-times-earlier = Les heures de { NUMBER($count) } lignes sont en avance de { $off_s } s (médiane) sur celles de leurs véhicules.
 reference-times-start = Le début de ce balayage n’est connu qu’à ± { $U95_s } s près, plus que la tolérance de { $tolerance_s } s : une ligne peut convenir à un voisin. Contrôlez les paires.
+reference-unit-doubtful = { $quantity ->
+    [speed] La vitesse
+    [length] La longueur
+   *[wheelbase] L’empattement
+} de { NUMBER($count) } { $count ->
+    [one] ligne
+   *[other] lignes
+} vaut { $times } fois notre valeur (médiane) : contrôlez l’unité indiquée par le nom de sa colonne.
 reference-line-replaces = Remplace { $quantity } { $value } { $unit } (u = { $u } { $unit }).
 reference-line-renames = Était un passage de { $car }.
 reference-car-too-long = Le nom du véhicule dépasse 100 caractères ; raccourcissez-le.

@@ -34,6 +34,7 @@ from sightline.scans.references.records import (
     StoredReference,
     require_reference,
 )
+from sightline.scans.references.service import beside_ours
 from sightline.scans.references.store import append_scan_reference, reference_history_of_scan
 from sightline.scans.store import get_scan
 from sightline.scans.vehicles.listing import ShownVehicle, vehicles_of
@@ -62,6 +63,8 @@ _Field = str | tuple[ReferenceQuantity, bool, float]
 
 
 _FEW = 3  # lines whose times say how far a file's clock is off
+# miles and kilometres, the units most alike, differ by 1.6
+_LIKE_OURS = 1.25
 
 
 @dataclass
@@ -146,8 +149,26 @@ def _plan(lines: Sequence[_Line], matching: Matching | None) -> ReferencePlan:
         counts={word: counts[word] for word in get_args(ReferenceChange)},
         rows=tuple(rows[:MOST_ROWS_SHOWN]),
         tolerance_s=None if matching is None else matching.tolerance_s,
-        notes=() if matching is None else tuple(_notes(rows, matching)),
+        notes=(*_unit_notes(lines), *(() if matching is None else _notes(rows, matching))),
     )
+
+
+def _unit_notes(lines: Sequence[_Line]) -> Iterator[Said]:
+    """Values that are as a whole far from ours: more likely in another unit than their column says."""
+    times: dict[ReferenceQuantity, list[float]] = {}
+    for line in lines:
+        measured = None if line.vehicle is None else line.vehicle.measurement
+        for given in line.row.given if measured is not None else ():
+            beside = beside_ours(measured and measured.values, given)
+            if beside is not None:
+                ours = given.value + beside.difference
+                times.setdefault(given.quantity, []).append(given.value / ours)
+    for quantity, several in times.items():
+        middle = median(several)
+        if not 1 / _LIKE_OURS < middle < _LIKE_OURS:
+            yield Said(
+                "reference-unit-doubtful", quantity=quantity, count=len(several), times=f"{middle:.2f}"
+            )
 
 
 def _notes(rows: Sequence[ReferenceRow], matching: Matching) -> Iterator[Said]:
