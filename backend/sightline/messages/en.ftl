@@ -2107,6 +2107,7 @@ review-step-verdict = verdict on { $target ->
    *[other] other target
 } of vehicle { $vehicle }
 review-step-overtaken = Nothing was changed: this height has since been withdrawn, changed or given another verdict.
+review-step-not-again = Nothing was changed: undo gives neither a correction nor another person’s verdict again; accept it if the points are right, or reject it.
 review-error = Height error
 review-side = Driver’s side
 review-signs = <strong>Check closely:</strong> { $signs }

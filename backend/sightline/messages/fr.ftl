@@ -2106,6 +2106,7 @@ review-step-verdict = décision ({ $target ->
    *[other] autre cible
 }, véhicule { $vehicle })
 review-step-overtaken = Rien n’a été modifié : depuis, cette hauteur a été retirée ou changée, ou a reçu une autre décision.
+review-step-not-again = Rien n’a été modifié : l’annulation ne rétablit ni une correction ni la décision d’une autre personne ; acceptez la mesure si ses points sont justes, sinon rejetez-la.
 review-error = Erreur de hauteur
 review-side = Côté du conducteur
 review-signs = <strong>À contrôler de près :</strong> { $signs }

@@ -4,7 +4,7 @@ import { asked, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { History } from "../../core/history";
 import { say } from "../../core/messages";
-import { may } from "../../core/session";
+import { may, me } from "../../core/session";
 import { telling, toast, toastProblem } from "../../core/toasts";
 import type { Measurement, ReviewItem } from "../../core/types";
 import { vehicleName } from "../../core/words";
@@ -102,7 +102,10 @@ export class ReviewModel {
     this.blind = new BlindClicks(this.stage, this.reel, this.geometry, lane, (again) =>
       this.clickedAgain(again),
     );
-    this.stops.push(effect(() => this.followAxes()));
+    this.stops.push(
+      effect(() => this.followAxes()),
+      this.given.close,
+    );
   }
 
   async load(): Promise<void> {
@@ -241,7 +244,13 @@ export class ReviewModel {
       else
         await this.history.run(
           say("review-step-verdict", { target, vehicle: vehicleName(item.vehicle.number) }),
-          (changes) => changes.write(this.given.given, id, { verdict, reason: reason ?? null, revision }),
+          (changes) =>
+            changes.write(this.given.given, id, {
+              verdict,
+              reason: reason ?? null,
+              revision,
+              by: me.value?.person.id ?? null,
+            }),
         );
       if (verdict !== "reopened") this.goOn(id);
     } catch (error) {
