@@ -2260,6 +2260,7 @@ live-none-title = No stream yet
 live-none-pipe = On the computer at the cameras, pipe the recorder’s lines into the command:
 live-none-file = or follow a file that the recorder writes:
 live-none-cameras = or read two GigE Vision cameras (with Aravis):
+live-source-piped = Lines from a pipe
 live-since = Since { $time }
 live-state-running = recording
 live-state-silent = no signal
@@ -2667,9 +2668,9 @@ scan-direction-of = { $direction ->
 }
 scan-time-gap = Time gap (rear to front)
 scan-time-gap-first = the first vehicle
-scan-distance-gap = Distance gap (clearance, rear to front)
+scan-distance-gap = Distance gap (clearance)
 scan-distance-gap-paper = { $gap } <muted>(by mean speed { $paper_gap })</muted>
-scan-headway = Time headway (front to front)
+scan-headway = Headway (front to front)
 scan-by = By
 scan-cause = { $method ->
     [paper] block matching
@@ -3131,6 +3132,7 @@ flows-minutes-of = { $minutes } min
 flows-loading = the traffic
 flows-table = Traffic of { $scan }
 flows-table-note = Below each value: its standard uncertainty u (k = 1), or its 95 % interval. The interval of a flow assumes independent arrivals. Near: within its U95 of the start or end of the interval, or of a limit of the class; the vehicle may belong to the next. Length classes: the four of England’s trunk road counters.
+flows-few = Plots are drawn from three intervals on: with intervals of this length they need a line scan of about { NUMBER($enough) } min. The table has what was recorded.
 flows-unplaced = { $count ->
     [one] { NUMBER($count) } vehicle was not measured, has no time, and is in no interval.
    *[other] { NUMBER($count) } vehicles were not measured, have no time, and are in no interval.
@@ -6958,7 +6960,7 @@ scan-motion-no-texture = Too little of the vehicle is clear enough to be registe
 scan-motion-no-match = The two images of the vehicle do not fit one motion: two vehicles side by side, a vehicle that stopped, or lost lines.
 scan-motion-few-lines = Only about { $lines } lines were recorded between the two cameras, too few for its speed or direction: raise the line rate, or set the cameras further apart.
 scan-motion-few-blocks = Too few blocks of { $lines } lines can be matched: the vehicle has too little detail, or too few lines; raise the line rate, or use the other method.
-scan-motion-not-converged = The registration did not converge completely.
+scan-motion-not-converged = The registration of the two images stopped before it settled: speed, acceleration and length may be off by more than their uncertainties say. Check the boundaries in both images; if the warning stays, reject the vehicle.
 scan-motion-cameras-disagree = The cameras disagree by { $apart_cm } cm about the front or the rear: check the boundaries, and whether two vehicles pass side by side.
 scan-motion-saturated = Part of the image is saturated; reduce the exposure.
 scan-motion-stopped = The vehicle stopped or nearly stopped in view; mark another vehicle, or measure it by hand.

@@ -79,7 +79,10 @@ function named(scans: readonly ScanTraffic[]): ScanTraffic[] {
   });
 }
 
-function OfScan({ scan, of, surveyId }: { scan: ScanTraffic; of: TrafficOfScans; surveyId: number }) {
+/** Fewer are one dot or two of a plot, which say less than their line of the table. */
+const LEAST_PLOTTED = 3;
+
+export function OfScan({ scan, of, surveyId }: { scan: ScanTraffic; of: TrafficOfScans; surveyId: number }) {
   const [view, setView] = useState<View>("flow");
   if (scan.reason)
     return (
@@ -91,15 +94,18 @@ function OfScan({ scan, of, surveyId }: { scan: ScanTraffic; of: TrafficOfScans;
         <p>{sentenceOf(scan.reason)}</p>
       </Empty>
     );
+  const plotted = scan.intervals.length >= LEAST_PLOTTED;
   const day = scan.intervals[0] ? formatPlaceDay(scan.intervals[0].begins_at) : "";
   return (
     <>
-      <div class="grid grid--fit scan-figures" style={{ "--least": "420px" }}>
-        <FlowFigure scan={scan} minutes={of.minutes} />
-        <SpeedFigure scan={scan} />
-        <FundamentalFigure scan={scan} against="density" />
-        <FundamentalFigure scan={scan} against="flow" />
-      </div>
+      {plotted && (
+        <div class="grid grid--fit scan-figures" style={{ "--least": "420px" }}>
+          <FlowFigure scan={scan} minutes={of.minutes} />
+          <SpeedFigure scan={scan} />
+          <FundamentalFigure scan={scan} against="density" />
+          <FundamentalFigure scan={scan} against="flow" />
+        </div>
+      )}
       <Panel
         label={scan.name}
         within
@@ -116,6 +122,9 @@ function OfScan({ scan, of, surveyId }: { scan: ScanTraffic; of: TrafficOfScans;
       >
         {scan.unplaced > 0 && (
           <Notice kind="warning">{say("flows-unplaced", { count: scan.unplaced })}</Notice>
+        )}
+        {!plotted && (
+          <p class="panel__note small muted">{say("flows-few", { enough: LEAST_PLOTTED * of.minutes })}</p>
         )}
         <IntervalTable scan={scan} view={view} limits_m={of.length_limits_m} />
         <p class="panel__note small muted">{say("flows-table-note")}</p>
