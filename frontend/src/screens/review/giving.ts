@@ -9,14 +9,9 @@ import { refreshSurvey } from "../../core/survey";
 import { toast } from "../../core/toasts";
 import type { ReviewItem } from "../../core/types";
 import { TARGET_WORDS, vehicleName } from "../../core/words";
-import { verdictWords } from "../../parts/verdicts/kind";
+import { type Verdict, verdictWords } from "../../parts/verdicts/kind";
 import { type GivenVerdict, type Height, VERDICT, type VerdictAbout } from "./kinds";
 import { isWaiting, type ReviewQueue } from "./queue";
-
-type Standing = Pick<GivenVerdict, "verdict" | "reason"> & {
-  readonly revision: number;
-  readonly by: number | null;
-};
 
 export class Verdicts {
   /** As each height was left by the last verdict on it, whether a list shows it or not. */
@@ -33,14 +28,18 @@ export class Verdicts {
   });
 
   /** The verdict that stands on a revision; what waits is written as reopened. Only one's own is taken back. */
-  readonly given: Ledger<number, Standing> = {
+  readonly given: Ledger<number, Verdict & { revision: number; by: number | null }> = {
     read: (id) => {
       const m = this.queue.find(id)?.measurement ?? this.last.get(id);
       if (!m || isWaiting(m))
         return { verdict: "reopened", reason: null, revision: m?.revision ?? 0, by: null };
       const { verdict, reason, reviewer } = m.review;
-      const by = reviewer?.id ?? null;
-      return { verdict: verdict as GivenVerdict["verdict"], reason, revision: m.revision, by };
+      return {
+        verdict: verdict as Verdict["verdict"],
+        reason,
+        revision: m.revision,
+        by: reviewer?.id ?? null,
+      };
     },
     write: async (id, value, left) => {
       const item = this.queue.find(id);

@@ -103,8 +103,8 @@ export class ReviewModel {
       this.clickedAgain(again),
     );
     this.stops.push(
-      effect(() => this.followAxes()),
       this.given.close,
+      effect(() => this.followAxes()),
     );
   }
 
@@ -233,6 +233,7 @@ export class ReviewModel {
     if (!item || !(verdict === "rejected" ? this.mayReject : this.mayJudge)) return;
     const { id, target, revision } = item.measurement;
     const frame = this.ofFrame.value?.frame;
+    const given = { verdict, reason: reason ?? null, revision, by: me.value?.person.id ?? null };
     this.busy.value = true;
     try {
       if (verdict === "fixed" && fix && frame !== undefined)
@@ -244,13 +245,7 @@ export class ReviewModel {
       else
         await this.history.run(
           say("review-step-verdict", { target, vehicle: vehicleName(item.vehicle.number) }),
-          (changes) =>
-            changes.write(this.given.given, id, {
-              verdict,
-              reason: reason ?? null,
-              revision,
-              by: me.value?.person.id ?? null,
-            }),
+          (changes) => changes.write(this.given.given, id, given),
         );
       if (verdict !== "reopened") this.goOn(id);
     } catch (error) {

@@ -272,14 +272,9 @@ function LengthClass({ kind }: { kind?: TrafficInterval["classes"][number] }) {
 }
 
 /** Of a class, the vehicles with more than two axles. */
-function axleWords(by_axles: readonly number[]): string[] {
-  const [, three = 0, four = 0, many = 0] = by_axles;
-  const found: [string, number][] = [
-    ["3", three],
-    ["4", four],
-    [say("flows-axles-many"), many],
-  ];
-  return found.flatMap(([axles, count]) => (count ? [say("flows-axles", { axles, count })] : []));
+function axleWords([, ...more]: readonly number[]): string[] {
+  const axles = ["3", "4", say("flows-axles-many")];
+  return more.flatMap((count, at) => (count ? [say("flows-axles", { axles: axles[at] ?? "", count })] : []));
 }
 
 /** A figure with its standard uncertainty below. */

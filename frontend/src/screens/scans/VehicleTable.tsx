@@ -103,10 +103,10 @@ function Row({ vehicle, model, lanes }: { vehicle: ScanVehicle; model: ScanModel
       <td class="nowrap">
         <StateMark state={stateOf(vehicle)} />{" "}
         {waiting > 0 && (
-          <>
-            <StateMark state="to_review" word={say("scan-heights-waiting", { count: waiting })} hideWord />{" "}
+          <span class="mark">
+            <StateMark state="to_review" word={say("scan-heights-waiting", { count: waiting })} hideWord />
             {waiting}
-          </>
+          </span>
         )}
       </td>
     </tr>
