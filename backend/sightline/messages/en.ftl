@@ -5918,7 +5918,13 @@ lots-counts-differ = audit.csv: the counts of lot { $id } are not those of its s
 lots-beyond-plan = audit.csv: lot { $id } was accepted with more nonconforming heights than its plan allows, or unjudged.
 lots-rest-differs = reviews.csv: the verdicts by lot { $id } are not those of its rest; some were added or removed.
 lots-verdict-too-early = audit.csv: a verdict by lot { $id } came before its decision; one is wrong.
-reviews-verdict-given-meanwhile = { $name } gave the verdict “{ $verdict }” meanwhile; check it first.
+reviews-verdict-given-meanwhile = { $name } gave the verdict “{ $verdict ->
+    [accepted] accepted
+    [fixed] fixed
+    [rejected] rejected
+    [reopened] reopened
+   *[to_review] to review
+}” meanwhile; check it first.
 
 ## Sight distance: the page
 
@@ -6948,7 +6954,7 @@ scan-motion-implausible = The computed { $what ->
     [length] length
    *[acceleration] acceleration
  } of { NUMBER($value, minimumFractionDigits: 1, maximumFractionDigits: 1) } { $unit } is not plausible for a road vehicle ({ $low } to { $high } { $unit }): check the boundaries, the baseline and the line rate.
-scan-motion-no-uncertainty = Too little of the vehicle was matched to state the uncertainty of its motion.
+scan-motion-no-uncertainty = Too little of the vehicle was matched to state the uncertainty of its motion: check the boundaries in both images.
 scan-motion-would-stop = By the computed motion the vehicle would have stopped in view; check the boundaries.
 scan-motion-u-large = The U95 of the { $what ->
     [speed] speed

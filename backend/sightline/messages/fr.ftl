@@ -2031,7 +2031,7 @@ review-plan = { $one_in ->
 review-plan-name = Contrôle en aveugle
 review-plan-choose = Contrôle en aveugle, pour tous les vérificateurs de ce relevé
 review-plan-choice = { $one_in ->
-    [0] désactivé
+    [0] aucune
     [1] toutes
    *[other] 1 sur { $one_in }
 }
@@ -5982,7 +5982,13 @@ lots-counts-differ = audit.csv : les nombres du lot { $id } ne sont pas ceux de
 lots-beyond-plan = audit.csv : le lot { $id } a été accepté avec plus de hauteurs non conformes que son plan n’en admet, ou sans vérification.
 lots-rest-differs = reviews.csv : les décisions par le lot { $id } ne sont pas celles de son reste ; certaines ont été ajoutées ou retirées.
 lots-verdict-too-early = audit.csv : une décision par le lot { $id } précède la décision sur le lot ; l’une des deux est fausse.
-reviews-verdict-given-meanwhile = { $name } a rendu entre-temps la décision « { $verdict } » ; contrôlez-la d’abord.
+reviews-verdict-given-meanwhile = { $name } a rendu entre-temps la décision « { $verdict ->
+    [accepted] validé
+    [fixed] corrigé
+    [rejected] rejeté
+    [reopened] rouvert
+   *[to_review] à vérifier
+} » ; contrôlez-la d’abord.
 
 ## Distance de visibilité : la page
 
@@ -7024,7 +7030,7 @@ scan-motion-implausible = La { $what ->
     [length] longueur
    *[acceleration] accélération
  } calculée de { NUMBER($value, minimumFractionDigits: 1, maximumFractionDigits: 1) } { $unit } n’est pas plausible pour un véhicule routier ({ $low } à { $high } { $unit }) : contrôlez les bornes, la base et la cadence.
-scan-motion-no-uncertainty = Trop peu du véhicule a été apparié pour donner l’incertitude de son mouvement.
+scan-motion-no-uncertainty = Trop peu du véhicule a été apparié pour donner l’incertitude de son mouvement : contrôlez les bornes dans les deux images.
 scan-motion-would-stop = D’après le mouvement calculé, le véhicule se serait arrêté en vue ; contrôlez les bornes.
 scan-motion-u-large = L’U95 de la { $what ->
     [speed] vitesse

@@ -272,9 +272,12 @@ function LengthClass({ kind }: { kind?: TrafficInterval["classes"][number] }) {
 }
 
 /** Of a class, the vehicles with more than two axles. */
-function axleWords([, ...more]: readonly number[]): string[] {
+function axleWords(by_axles: readonly number[]): string[] {
   const axles = ["3", "4", say("flows-axles-many")];
-  return more.flatMap((count, at) => (count ? [say("flows-axles", { axles: axles[at] ?? "", count })] : []));
+  return axles.flatMap((one, at) => {
+    const count = by_axles[at + 1];
+    return count ? [say("flows-axles", { axles: one, count })] : [];
+  });
 }
 
 /** A figure with its standard uncertainty below. */
