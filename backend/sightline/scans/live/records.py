@@ -9,7 +9,7 @@ from sightline.enums import LiveState, MeasurementStatus, ScanDirection
 from sightline.linescan.passing import Vehicle
 from sightline.messages.said import Said
 
-#: What a stream without a file or cameras is called where it is stored; pages say it in words.
+#: What a stream without a file or cameras is called where it is stored.
 STANDARD_INPUT = "standard input"
 
 
@@ -86,8 +86,8 @@ class Keeper:
 @dataclass(frozen=True, slots=True)
 class LiveScan:
     """A recording that a stream makes or made; `ready`: its picture can be looked at; `line_rate_hz`: by
-    which its lines were counted, whatever is said of its cameras later; `source`: the file, the cameras, or
-    STANDARD_INPUT.
+    which its lines were counted, whatever is said of its cameras later; `source`: the file or the cameras,
+    None of a pipe.
     """
 
     scan_id: int
@@ -95,7 +95,7 @@ class LiveScan:
     ready: bool
     line_rate_hz: float
     stream: str
-    source: str
+    source: str | None
     began_at: datetime
     heard_at: datetime
     ended_at: datetime | None

@@ -21,15 +21,15 @@ it.each([
 it("names a stream by its cameras or file, and what is piped in the language of the page", async () => {
   await learn("live");
   const facts = { scan_id: 4, began_at: "2026-05-03T17:30:05Z", state: "ended", health: null };
-  const titled = (source: string) => {
+  const titled = (source: string | null) => {
     const stream = { ...facts, source, vehicles: [], flow: [], earlier: [] } as unknown as LiveStream;
     render(<Stream stream={stream} surveyId={1} />, document.body);
     return document.querySelector("h2")?.textContent;
   };
   expect(titled("/cameras/lines.raw")).toBe("/cameras/lines.raw");
-  expect(titled("standard input")).toBe("Lines from a pipe");
+  expect(titled(null)).toBe("Lines from a pipe");
   await speak("fr");
-  expect(titled("standard input")).toBe("Lignes reçues par un tube");
+  expect(titled(null)).toBe("Lignes reçues par un tube");
   await speak("en");
   render(null, document.body);
 });

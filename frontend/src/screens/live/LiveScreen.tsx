@@ -69,15 +69,12 @@ function Typed({ command }: { command: string }) {
   );
 }
 
-/** As the command stores it, where it has neither file nor cameras. */
-const PIPED = "standard input";
-
 export function Stream({ stream, surveyId }: { stream: LiveStream; surveyId: number }) {
   return (
     <section class="panel live" data-testid={`live-${stream.scan_id}`}>
       <header class="row row--apart row--wrap">
         <div>
-          <h2 class="clip">{stream.source === PIPED ? say("live-source-piped") : stream.source}</h2>
+          <h2 class="clip">{stream.source ?? say("live-source-piped")}</h2>
           <p class="small muted">{say("live-since", { time: momentThere(stream.began_at) })}</p>
         </div>
         <StateOf stream={stream} />
