@@ -60,6 +60,7 @@ def test_from_a_live_stream_to_an_evidence_file(
         sender.start()
         expect(page.get_by_test_id("live-vehicle-1")).to_contain_text("km/h")
         expect(page.get_by_text("recording", exact=True)).to_be_visible()
+        expect(page.get_by_role("heading", name="Lines from a pipe")).to_be_visible()
         expect(page.get_by_test_id("live-health")).to_contain_text("0 / 0")
         expect(page.get_by_test_id("live-vehicle-3")).to_be_visible(timeout=120_000)
         page.screenshot(path=screenshots / "live.png")

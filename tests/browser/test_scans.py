@@ -334,11 +334,9 @@ def test_traffic_by_the_clock_stands_below_the_results(
     expect(table.locator("tbody tr")).to_have_count(len(told))
     expect(table).to_contain_text(told[0]["begins_at"][11:19])
     expect(table).to_contain_text("partial")
-    flow = page.get_by_test_id(f"figure-traffic-flow-{scan['id']}")
-    expect(flow.locator("svg")).to_be_visible()
-    for name in ("flow-by-density", "speed-by-flow"):
-        dots = page.get_by_test_id(f"figure-traffic-{name}-{scan['id']}").locator("svg circle")
-        expect(dots).to_have_count(sum(one["measured"] > 0 for one in told))
+    assert len(told) < 3  # which make no plot
+    expect(traffic).to_contain_text("Plots are drawn from three intervals on")
+    expect(page.get_by_test_id(f"figure-traffic-flow-{scan['id']}")).to_have_count(0)
     traffic.screenshot(path=screenshots / "scan-traffic.png")
     page.set_viewport_size({"width": 1024, "height": 768})
     traffic.screenshot(path=screenshots / "scan-traffic-1024.png")

@@ -65,6 +65,22 @@ def test_a_verdict_given_meanwhile_is_a_conflict_and_is_not_overwritten(
     assert judge(reviewer, made, "accepted", seen="rejected").status_code == 201
 
 
+def test_a_verdict_like_the_one_that_was_seen_is_another_where_somebody_gave_it_since(
+    operator: Client, reviewer: Client, admin: Client, vehicle_id: int
+) -> None:
+    """What is taken back is the verdict that was seen, not another of the same word."""
+    made = measure(operator, vehicle_id)
+    first = judge(reviewer, made, "rejected", reason="mirror").json()["review"]
+    for verdict, reason in (("reopened", None), ("rejected", "mirror")):
+        assert judge(admin, made, verdict, reason=reason).status_code == 201
+    late = judge(reviewer, made, "reopened", seen="rejected", seen_at=first["at"])
+    assert late.status_code == 409 and "“rejected” meanwhile" in error_of(late)
+    history = reviewer.seen(f"/measurements/{made['id']}/history")
+    assert [one["verdict"] for one in history["reviews"]] == ["rejected", "reopened", "rejected"]
+    stands = history["revisions"][-1]["review"]
+    assert judge(reviewer, made, "reopened", seen="rejected", seen_at=stands["at"]).status_code == 201
+
+
 def test_points_stay_ones_own_when_somebody_else_withdraws_and_restores_them(
     operator: Client, reviewer: Client, admin: Client, vehicle_id: int
 ) -> None:

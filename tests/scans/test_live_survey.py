@@ -76,7 +76,7 @@ def test_a_stream_becomes_a_recording_whose_vehicles_are_those_of_the_search(
     told = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
 
     (stream,) = streams_of(services)
-    assert stream.state == "ended" and not stream.ready
+    assert stream.state == "ended" and not stream.ready and stream.source == str(path)
     assert stream.health is not None
     assert stream.health.lines == len(lines) // (2 * SITE.rows)
     assert [one.number for one in stream.vehicles] == [3, 2, 1]

@@ -20,7 +20,7 @@ from sightline.linescan.parts import Rig
 from sightline.media.lines.source import Ending, LineSource
 from sightline.media.strips.reader import LEAST_ROWS, MOST_ROWS
 from sightline.messages.said import Said
-from sightline.scans.live.records import Keeper, LiveVehicle
+from sightline.scans.live.records import STANDARD_INPUT, Keeper, LiveVehicle
 from sightline.scans.live.run import LiveRun
 
 
@@ -93,7 +93,7 @@ def stream(
     """
     if cameras and (len(cameras) != 2 or follow or cameras[0] == cameras[1]):
         raise BadInput("commands-stream-two-cameras")
-    name = " and ".join(cameras) or (str(follow.absolute()) if follow else "standard input")
+    name = ", ".join(cameras) or (str(follow.absolute()) if follow else STANDARD_INPUT)
     with until_told() as ending, keeping(survey, data_dir, rig, method, spool) as (keeper, folder):
 
         def source(begin: int) -> LineSource:

@@ -1,15 +1,16 @@
 """What measurements take and answer."""
 
 from dataclasses import dataclass
+from datetime import datetime
 from typing import Annotated
 from uuid import UUID
 
 from pydantic import Field
 
-from sightline.enums import MadeAsSaid, Target
+from sightline.enums import MadeAsSaid, Target, Verdict
 from sightline.infra.by_name import filled_from
 from sightline.infra.meaning import explained_as
-from sightline.infra.web.bodies import FrameNumber, In, Point, example
+from sightline.infra.web.bodies import FrameNumber, In, Point, Text, example
 from sightline.infra.web.named import MeasurementId, VehicleId
 from sightline.infra.web.quantities import InsetM, Revision, SigmaPx, UInsetM
 from sightline.measurements.records import (
@@ -146,6 +147,18 @@ class NewMeasurement(ClicksIn):
     target: Target
     repeat_of: MeasurementId | None = Field(
         default=None, description="The measurement that these clicks repeat: it stands in no list or result."
+    )
+
+
+class VerdictIn(In):
+    """A verdict's reason, and the verdict in whose place it is given."""
+
+    reason: Text | None = None
+    seen: Verdict | None = Field(
+        default=None, description="The verdict that you saw; another one is a conflict. null: not compared."
+    )
+    seen_at: datetime | None = Field(
+        default=None, description="When it was given; one of another time is a conflict. null: not compared."
     )
 
 

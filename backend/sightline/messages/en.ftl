@@ -2107,6 +2107,7 @@ review-step-verdict = verdict on { $target ->
    *[other] other target
 } of vehicle { $vehicle }
 review-step-overtaken = Nothing was changed: this height has since been withdrawn, changed or given another verdict.
+review-step-not-again = Nothing was changed: undo gives neither a correction nor another person’s verdict again; accept it if the points are right, or reject it.
 review-error = Height error
 review-side = Driver’s side
 review-signs = <strong>Check closely:</strong> { $signs }
@@ -2256,9 +2257,10 @@ scan-live = This part of the stream is still being recorded; its image is availa
 live-lead = Vehicles seen by the line cameras, and the state of the cameras.
 live-loading = the live streams
 live-none-title = No stream yet
-live-none-pipe = On the computer at the cameras, pipe the recorder’s lines into the command:
+live-none-pipe = Put the pixels per line, the baseline (m) and the line rate (Hz) of your own cameras into the command. On the computer at the cameras, pipe the recorder’s lines into it:
 live-none-file = or follow a file that the recorder writes:
 live-none-cameras = or read two GigE Vision cameras (with Aravis):
+live-source-piped = Lines from a pipe
 live-since = Since { $time }
 live-state-running = recording
 live-state-silent = no signal
@@ -2666,9 +2668,9 @@ scan-direction-of = { $direction ->
 }
 scan-time-gap = Time gap (rear to front)
 scan-time-gap-first = the first vehicle
-scan-distance-gap = Distance gap (clearance, rear to front)
+scan-distance-gap = Distance gap (clearance)
 scan-distance-gap-paper = { $gap } <muted>(by mean speed { $paper_gap })</muted>
-scan-headway = Time headway (front to front)
+scan-headway = Headway (front to front)
 scan-by = By
 scan-cause = { $method ->
     [paper] block matching
@@ -3130,6 +3132,7 @@ flows-minutes-of = { $minutes } min
 flows-loading = the traffic
 flows-table = Traffic of { $scan }
 flows-table-note = Below each value: its standard uncertainty u (k = 1), or its 95 % interval. The interval of a flow assumes independent arrivals. Near: within its U95 of the start or end of the interval, or of a limit of the class; the vehicle may belong to the next. Length classes: the four of England’s trunk road counters.
+flows-few = Plots are drawn from three intervals on: with intervals of this length they need a line scan of about { NUMBER($enough) } min. The table has what was recorded.
 flows-unplaced = { $count ->
     [one] { NUMBER($count) } vehicle was not measured, has no time, and is in no interval.
    *[other] { NUMBER($count) } vehicles were not measured, have no time, and are in no interval.
@@ -5916,7 +5919,13 @@ lots-counts-differ = audit.csv: the counts of lot { $id } are not those of its s
 lots-beyond-plan = audit.csv: lot { $id } was accepted with more nonconforming heights than its plan allows, or unjudged.
 lots-rest-differs = reviews.csv: the verdicts by lot { $id } are not those of its rest; some were added or removed.
 lots-verdict-too-early = audit.csv: a verdict by lot { $id } came before its decision; one is wrong.
-reviews-verdict-given-meanwhile = { $name } gave the verdict “{ $verdict }” meanwhile; check it first.
+reviews-verdict-given-meanwhile = { $name } gave the verdict “{ $verdict ->
+    [accepted] accepted
+    [fixed] fixed
+    [rejected] rejected
+    [reopened] reopened
+   *[to_review] to review
+}” meanwhile; check it first.
 
 ## Sight distance: the page
 
@@ -6954,7 +6963,7 @@ scan-motion-implausible = The computed { $what ->
     [length] length
    *[acceleration] acceleration
  } of { NUMBER($value, minimumFractionDigits: 1, maximumFractionDigits: 1) } { $unit } is not plausible for a road vehicle ({ $low } to { $high } { $unit }): check the boundaries, the baseline and the line rate.
-scan-motion-no-uncertainty = Too little of the vehicle was matched to state the uncertainty of its motion.
+scan-motion-no-uncertainty = Too little of the vehicle was matched to state the uncertainty of its motion: check the boundaries in both images.
 scan-motion-would-stop = By the computed motion the vehicle would have stopped in view; check the boundaries.
 scan-motion-u-large = The U95 of the { $what ->
     [speed] speed
@@ -6966,7 +6975,7 @@ scan-motion-no-texture = Too little of the vehicle is clear enough to be registe
 scan-motion-no-match = The two images of the vehicle do not fit one motion: two vehicles side by side, a vehicle that stopped, or lost lines.
 scan-motion-few-lines = Only about { $lines } lines were recorded between the two cameras, too few for its speed or direction: raise the line rate, or set the cameras further apart.
 scan-motion-few-blocks = Too few blocks of { $lines } lines can be matched: the vehicle has too little detail, or too few lines; raise the line rate, or use the other method.
-scan-motion-not-converged = The registration did not converge completely.
+scan-motion-not-converged = The registration of the two images stopped before it settled: speed, acceleration and length may be off by more than their uncertainties say. Check the boundaries in both images; if the warning stays, reject the vehicle.
 scan-motion-cameras-disagree = The cameras disagree by { $apart_cm } cm about the front or the rear: check the boundaries, and whether two vehicles pass side by side.
 scan-motion-saturated = Part of the image is saturated; reduce the exposure.
 scan-motion-stopped = The vehicle stopped or nearly stopped in view; mark another vehicle, or measure it by hand.

@@ -2031,7 +2031,7 @@ review-plan = { $one_in ->
 review-plan-name = Contrôle en aveugle
 review-plan-choose = Contrôle en aveugle, pour tous les vérificateurs de ce relevé
 review-plan-choice = { $one_in ->
-    [0] désactivé
+    [0] aucune
     [1] toutes
    *[other] 1 sur { $one_in }
 }
@@ -2106,6 +2106,7 @@ review-step-verdict = décision ({ $target ->
    *[other] autre cible
 }, véhicule { $vehicle })
 review-step-overtaken = Rien n’a été modifié : depuis, cette hauteur a été retirée ou changée, ou a reçu une autre décision.
+review-step-not-again = Rien n’a été modifié : l’annulation ne rétablit ni une correction ni la décision d’une autre personne ; acceptez la mesure si ses points sont justes, sinon rejetez-la.
 review-error = Erreur de hauteur
 review-side = Côté du conducteur
 review-signs = <strong>À contrôler de près :</strong> { $signs }
@@ -2255,9 +2256,10 @@ scan-live = Cette partie du flux est encore en cours d’enregistrement ; son 
 live-lead = Les véhicules vus par les caméras linéaires, et l’état des caméras.
 live-loading = flux en direct
 live-none-title = Pas encore de flux
-live-none-pipe = Sur l’ordinateur des caméras, envoyez les lignes de l’enregistreur à la commande :
+live-none-pipe = Mettez dans la commande les pixels par ligne, la base (m) et la cadence de lignes (Hz) de vos caméras. Sur l’ordinateur des caméras, envoyez-lui les lignes de l’enregistreur :
 live-none-file = ou suivez un fichier écrit par l’enregistreur :
 live-none-cameras = ou lisez deux caméras GigE Vision (avec Aravis) :
+live-source-piped = Lignes reçues par un tube
 live-since = Depuis { $time }
 live-state-running = en cours
 live-state-silent = sans signal
@@ -2676,11 +2678,11 @@ scan-direction-of = { $direction ->
     [camera_2_first] caméra 2 d’abord
    *[camera_1_first] caméra 1 d’abord
 }
-scan-time-gap = Intervalle temporel (arrière à avant)
+scan-time-gap = Intervalle (arrière à avant)
 scan-time-gap-first = le premier véhicule
-scan-distance-gap = Distance intervéhiculaire (arrière à avant)
+scan-distance-gap = Distance intervéhiculaire
 scan-distance-gap-paper = { $gap } <muted>(par la vitesse moyenne { $paper_gap })</muted>
-scan-headway = Temps intervéhiculaire (avant à avant)
+scan-headway = TIV (avant à avant)
 scan-by = Par
 scan-cause = { $method ->
     [paper] appariement de blocs
@@ -3142,6 +3144,7 @@ flows-minutes-of = { $minutes } min
 flows-loading = trafic
 flows-table = Trafic de { $scan }
 flows-table-note = Sous une valeur : son incertitude-type u (k = 1), ou son intervalle à 95 %. L’intervalle d’un débit suppose des véhicules qui arrivent indépendamment les uns des autres. « Près d’un bord », « proches » : à moins de leur U95 du début ou de la fin de la tranche, ou d’une limite de la classe ; ces véhicules sont peut-être de la voisine. Classes par longueur : les quatre des compteurs des routes principales d’Angleterre.
+flows-few = Les graphiques sont tracés à partir de trois tranches : avec des tranches de cette durée, il faut un balayage d’environ { NUMBER($enough) } min. Le tableau donne ce qui a été enregistré.
 flows-unplaced = { $count ->
     [one] { NUMBER($count) } véhicule n’a pas été mesuré, n’a pas d’heure et n’est dans aucune tranche.
    *[other] { NUMBER($count) } véhicules n’ont pas été mesurés, n’ont pas d’heure et ne sont dans aucune tranche.
@@ -5980,7 +5983,13 @@ lots-counts-differ = audit.csv : les nombres du lot { $id } ne sont pas ceux de
 lots-beyond-plan = audit.csv : le lot { $id } a été accepté avec plus de hauteurs non conformes que son plan n’en admet, ou sans vérification.
 lots-rest-differs = reviews.csv : les décisions par le lot { $id } ne sont pas celles de son reste ; certaines ont été ajoutées ou retirées.
 lots-verdict-too-early = audit.csv : une décision par le lot { $id } précède la décision sur le lot ; l’une des deux est fausse.
-reviews-verdict-given-meanwhile = { $name } a rendu entre-temps la décision « { $verdict } » ; contrôlez-la d’abord.
+reviews-verdict-given-meanwhile = { $name } a rendu entre-temps la décision « { $verdict ->
+    [accepted] validé
+    [fixed] corrigé
+    [rejected] rejeté
+    [reopened] rouvert
+   *[to_review] à vérifier
+} » ; contrôlez-la d’abord.
 
 ## Distance de visibilité : la page
 
@@ -7030,7 +7039,7 @@ scan-motion-implausible = La { $what ->
     [length] longueur
    *[acceleration] accélération
  } calculée de { NUMBER($value, minimumFractionDigits: 1, maximumFractionDigits: 1) } { $unit } n’est pas plausible pour un véhicule routier ({ $low } à { $high } { $unit }) : contrôlez les bornes, la base et la cadence.
-scan-motion-no-uncertainty = Trop peu du véhicule a été apparié pour donner l’incertitude de son mouvement.
+scan-motion-no-uncertainty = Trop peu du véhicule a été apparié pour donner l’incertitude de son mouvement : contrôlez les bornes dans les deux images.
 scan-motion-would-stop = D’après le mouvement calculé, le véhicule se serait arrêté en vue ; contrôlez les bornes.
 scan-motion-u-large = L’U95 de la { $what ->
     [speed] vitesse
@@ -7042,7 +7051,7 @@ scan-motion-no-texture = Trop peu du véhicule est assez net pour être recalé 
 scan-motion-no-match = Les deux images du véhicule ne suivent pas un même mouvement : deux véhicules côte à côte, un véhicule arrêté ou des lignes perdues.
 scan-motion-few-lines = Environ { $lines } lignes seulement ont été enregistrées entre les deux caméras, trop peu pour la vitesse ou le sens : augmentez la cadence, ou écartez les caméras.
 scan-motion-few-blocks = Trop peu de blocs de { $lines } lignes peuvent être appariés : le véhicule présente trop peu de détails, ou trop peu de lignes ; augmentez la cadence de lignes, ou utilisez l’autre méthode.
-scan-motion-not-converged = Le recalage n’a pas entièrement convergé.
+scan-motion-not-converged = Le recalage des deux images s’est arrêté avant de se stabiliser : la vitesse, l’accélération et la longueur peuvent être fausses de plus que leurs incertitudes ne le disent. Contrôlez les bornes dans les deux images ; si l’avertissement demeure, rejetez le véhicule.
 scan-motion-cameras-disagree = Les caméras diffèrent de { $apart_cm } cm sur l’avant ou l’arrière : contrôlez les bornes, et si deux véhicules passent côte à côte.
 scan-motion-saturated = Une partie de l’image est saturée ; réduisez l’exposition.
 scan-motion-stopped = Le véhicule s’est arrêté ou presque devant les caméras ; marquez-en un autre, ou mesurez-le à la main.

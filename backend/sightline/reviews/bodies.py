@@ -5,10 +5,10 @@ from typing import Annotated
 
 from pydantic import Field
 
-from sightline.enums import ReviewVerdict, Verdict
-from sightline.infra.web.bodies import FrameNumber, In, Point, Text, example
+from sightline.enums import ReviewVerdict
+from sightline.infra.web.bodies import FrameNumber, In, Point, example
 from sightline.infra.web.quantities import Revision
-from sightline.measurements.bodies import MeasurementBody
+from sightline.measurements.bodies import MeasurementBody, VerdictIn
 from sightline.measurements.records import Review
 from sightline.reviews.records import Judged, VehicleFacts
 from sightline.scans.heights.bodies import ScanHeightBody
@@ -24,18 +24,14 @@ class HistoryBody:
     reviews: tuple[Review, ...]
 
 
-class NewReview(In):
+class NewReview(VerdictIn):
     model_config = example(revision=1, verdict="accepted", seen="to_review")
 
     revision: Revision
     verdict: ReviewVerdict
-    reason: Text | None = None
     frame: FrameNumber | None = None
     contact: Point | None = None
     target_point: Point | None = None
-    seen: Verdict | None = Field(
-        default=None, description="The verdict that you saw; another one is a conflict. null: not compared."
-    )
 
 
 @dataclass(frozen=True, slots=True)

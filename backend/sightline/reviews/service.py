@@ -1,5 +1,6 @@
 """Reviews: a verdict on a height; a fix, on frames alone, measures again with the reviewer's points."""
 
+from datetime import datetime
 from typing import get_args
 
 from sightline.enums import AcceptedVerdict, Point, ReviewVerdict, Verdict
@@ -32,6 +33,7 @@ def review(
     verdict: ReviewVerdict,
     reason: str | None,
     seen: Verdict | None = None,
+    seen_at: datetime | None = None,
     frame: int | None,
     contact: Point | None,
     target_point: Point | None,
@@ -58,6 +60,7 @@ def review(
         verdict=verdict,
         reason=reason,
         seen=seen,
+        seen_at=seen_at,
         fixed=fixed,
         actor=actor,
     )

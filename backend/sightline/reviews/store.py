@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
+from datetime import datetime
 from typing import Any
 
 from sqlalchemy import select
@@ -40,13 +41,14 @@ def add_review(
     verdict: ReviewVerdict,
     reason: str | None = None,
     seen: Verdict | None = None,
+    seen_at: datetime | None = None,
     fixed: MeasurementValues | None = None,
     actor: int,
 ) -> Measurement | ScanHeight:
     """Give a verdict on the revision that was seen; "fixed" also writes a new revision with `fixed`.
 
-    Raises Conflict if there is a newer revision or another verdict than `seen`, NotAllowed for one's own,
-    BadInput without the reason of a rejection or the points of a fix.
+    Raises Conflict if there is a newer revision or another verdict than `seen` of `seen_at`, NotAllowed for
+    one's own, BadInput without the reason of a rejection or the points of a fix.
     """
     before = require_revision(session, series_id, seen_revision)
     if (verdict == "fixed") != (fixed is not None):
@@ -56,7 +58,7 @@ def add_review(
         raise Conflict("reviews-withdrawn")
     if before.repeat_of is not None:
         raise Conflict("reviews-repeat")
-    told = require_verdict(before.review, seen, verdict, reason)
+    told = require_verdict(before.review, seen, seen_at, verdict, reason)
     content: dict[str, Any] = {"series_id": before.id, "revision": before.revision, "verdict": verdict}
     content |= {"reason": told, "lot_id": None, "result_revision": before.revision}
     if fixed is not None and isinstance(before, Measurement):

@@ -16,7 +16,6 @@ from sightline.enums import (
     ScanVehicleState,
     ScanVerdict,
     TimeAxis,
-    Verdict,
 )
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Finite, Id, In, JobBody, Name, Text, of_record
@@ -24,6 +23,7 @@ from sightline.infra.web.named import RecordingId, UploadId
 from sightline.infra.web.quantities import Word
 from sightline.linescan.parts import Entry, Gap, Lane, Rig
 from sightline.linescan.rig import LIMITS
+from sightline.measurements.bodies import VerdictIn
 from sightline.measurements.records import ReviewState
 from sightline.recordings.bodies import StartIn
 from sightline.scans.records import (
@@ -328,12 +328,8 @@ class ScanFacts(In):
     catalogue_id: Id | None = None
 
 
-class NewScanReview(In):
+class NewScanReview(VerdictIn):
     verdict: ScanVerdict
-    reason: Text | None = None
-    seen: Verdict | None = Field(
-        default=None, description="The verdict that you saw; another one is a conflict. null: not compared."
-    )
 
 
 @dataclass(frozen=True, slots=True)

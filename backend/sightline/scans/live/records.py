@@ -9,6 +9,9 @@ from sightline.enums import LiveState, MeasurementStatus, ScanDirection
 from sightline.linescan.passing import Vehicle
 from sightline.messages.said import Said
 
+#: What a stream without a file or cameras is called where it is stored.
+STANDARD_INPUT = "standard input"
+
 
 @dataclass(frozen=True, eq=False)
 class LiveVehicle:
@@ -83,7 +86,8 @@ class Keeper:
 @dataclass(frozen=True, slots=True)
 class LiveScan:
     """A recording that a stream makes or made; `ready`: its picture can be looked at; `line_rate_hz`: by
-    which its lines were counted, whatever is said of its cameras later.
+    which its lines were counted, whatever is said of its cameras later; `source`: the file or the cameras,
+    None of a pipe.
     """
 
     scan_id: int
@@ -91,7 +95,7 @@ class LiveScan:
     ready: bool
     line_rate_hz: float
     stream: str
-    source: str
+    source: str | None
     began_at: datetime
     heard_at: datetime
     ended_at: datetime | None

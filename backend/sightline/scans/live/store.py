@@ -10,7 +10,7 @@ from sightline.enums import JsonObject
 from sightline.infra.database.rows import add_row
 from sightline.infra.database.types import now
 from sightline.messages.said import Said
-from sightline.scans.live.records import LiveHealth, LiveScan, SegmentFacts
+from sightline.scans.live.records import STANDARD_INPUT, LiveHealth, LiveScan, SegmentFacts
 from sightline.scans.live.tables import scan_live
 from sightline.scans.tables import scan_measurements, scan_vehicles, scans
 
@@ -97,5 +97,7 @@ def _live_scan(row: JsonObject) -> LiveScan:
     if health is not None:
         words = tuple(Said.read(one) for one in health["words"])
         health = LiveHealth(**{**health, **{name: tuple(health[name]) for name in pairs}, "words": words})
-    told = {one.name: row[one.name] for one in fields(LiveScan) if one.name not in ("ready", "health")}
-    return LiveScan(**told, ready=row["state"] == "ready", health=health)
+    apart = ("ready", "health", "source")
+    told = {one.name: row[one.name] for one in fields(LiveScan) if one.name not in apart}
+    source = None if row["source"] == STANDARD_INPUT else row["source"]
+    return LiveScan(**told, source=source, ready=row["state"] == "ready", health=health)

@@ -1,5 +1,7 @@
 """Verdicts on scanned vehicles' measurements: append-only. Nobody reviews boundaries of their own."""
 
+from datetime import datetime
+
 from sqlalchemy.orm import Session
 
 from sightline.enums import ScanVerdict, Verdict
@@ -20,12 +22,13 @@ def add_scan_review(
     verdict: ScanVerdict,
     reason: str | None = None,
     seen: Verdict | None = None,
+    seen_at: datetime | None = None,
     actor: int,
 ) -> ScanMeasurement:
     """Give a verdict on the revision, and in place of the verdict, that was seen.
 
-    Raises Conflict if there is a newer revision or another verdict than `seen`, NotAllowed for boundaries of
-    one's own, BadInput for a rejection without a reason.
+    Raises Conflict if there is a newer revision or another verdict than `seen` of `seen_at`, NotAllowed for
+    boundaries of one's own, BadInput for a rejection without a reason.
     """
     before = get_scan_measurement(session, measurement_id)
     require_scan_vehicle_version(session, before.vehicle_id, None)
@@ -33,7 +36,7 @@ def add_scan_review(
         raise Conflict("scans-vehicle-measured-meanwhile")
     if before.values.placed_by == actor:
         raise NotAllowed("scans-own-boundaries")
-    given_reason = require_verdict(before.review, seen, verdict, reason)
+    given_reason = require_verdict(before.review, seen, seen_at, verdict, reason)
     content = {"survey_id": before.survey_id, "measurement_id": measurement_id, "verdict": verdict}
     written_once(
         session,

@@ -140,7 +140,5 @@ def review_scan_measurement(
 ) -> ScanVehicleBody:
     """Accept, reject (with a reason) or reopen a revision; never boundaries of one's own."""
     with services.writing() as session:
-        judged = review_store.add_scan_review(
-            session, measurement_id, verdict=body.verdict, reason=body.reason, seen=body.seen, actor=who.id
-        )
+        judged = review_store.add_scan_review(session, measurement_id, **body.model_dump(), actor=who.id)
     return changed_vehicle(services, judged.vehicle_id, who.id)

@@ -15,10 +15,11 @@ interface By {
   readonly by: number;
 }
 
-/** What is sent: the verdict, and the one that was seen. */
+/** What is sent: the verdict, and the one that was seen, with its time: another of the same word is not that one. */
 interface VerdictBody<W extends Verdict> {
   verdict: W["verdict"];
   seen?: Review["verdict"];
+  seen_at?: string;
   reason?: string;
 }
 
@@ -38,8 +39,9 @@ export function verdictKind<S, W extends Verdict, A extends By>(judged: Judged<S
     isSaved: judged.isSaved,
     send(wish, sending) {
       const { verdict, reason } = wish.want;
-      const seen = reviewOf(wish.saved)?.review.verdict;
-      return judged.send(wish, { verdict, ...(seen && { seen }), ...(reason && { reason }) }, sending);
+      const { verdict: seen, at } = reviewOf(wish.saved)?.review ?? {};
+      const inPlace = { ...(seen && { seen }), ...(at && { seen_at: at }) };
+      return judged.send(wish, { verdict, ...inPlace, ...(reason && { reason }) }, sending);
     },
     done(wish) {
       const review = reviewOf(wish.saved)?.review;

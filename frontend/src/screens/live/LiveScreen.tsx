@@ -69,12 +69,12 @@ function Typed({ command }: { command: string }) {
   );
 }
 
-function Stream({ stream, surveyId }: { stream: LiveStream; surveyId: number }) {
+export function Stream({ stream, surveyId }: { stream: LiveStream; surveyId: number }) {
   return (
     <section class="panel live" data-testid={`live-${stream.scan_id}`}>
       <header class="row row--apart row--wrap">
         <div>
-          <h2 class="clip">{stream.source}</h2>
+          <h2 class="clip">{stream.source ?? say("live-source-piped")}</h2>
           <p class="small muted">{say("live-since", { time: momentThere(stream.began_at) })}</p>
         </div>
         <StateOf stream={stream} />

@@ -1,4 +1,5 @@
 /** Verdicts on their way to the server, each a value of its measurement that can be put back. */
+import { ApiError } from "../../core/api";
 import { type Ledger, StepOvertaken } from "../../core/history";
 import { say } from "../../core/messages";
 import { outbox, type Wanted } from "../../core/outbox";
@@ -8,7 +9,7 @@ import { refreshSurvey } from "../../core/survey";
 import { toast } from "../../core/toasts";
 import type { ReviewItem } from "../../core/types";
 import { TARGET_WORDS, vehicleName } from "../../core/words";
-import { verdictWords } from "../../parts/verdicts/kind";
+import { type Verdict, verdictWords } from "../../parts/verdicts/kind";
 import { type GivenVerdict, type Height, VERDICT, type VerdictAbout } from "./kinds";
 import { isWaiting, type ReviewQueue } from "./queue";
 
@@ -21,32 +22,63 @@ export class Verdicts {
     private readonly lane: string,
   ) {}
 
+  /** Hears also of what was kept without a connection, once the server has it; ends with `close`. */
+  readonly close = outbox.listen<Height, GivenVerdict, VerdictAbout>(VERDICT, ({ state, saved }) => {
+    if (state === "saved" && saved) this.note(saved);
+  });
+
   /** The verdict that stands on a revision; what waits is written as reopened. Only one's own is taken back. */
-  readonly given: Ledger<number, Pick<GivenVerdict, "verdict" | "reason"> & { revision: number }> = {
+  readonly given: Ledger<number, Verdict & { revision: number; by: number | null }> = {
     read: (id) => {
       const m = this.queue.find(id)?.measurement ?? this.last.get(id);
-      if (!m || isWaiting(m)) return { verdict: "reopened", reason: null, revision: m?.revision ?? 0 };
-      const { verdict, reason } = m.review;
-      return { verdict: verdict as GivenVerdict["verdict"], reason, revision: m.revision };
+      if (!m || isWaiting(m))
+        return { verdict: "reopened", reason: null, revision: m?.revision ?? 0, by: null };
+      const { verdict, reason, reviewer } = m.review;
+      return {
+        verdict: verdict as Verdict["verdict"],
+        reason,
+        revision: m.revision,
+        by: reviewer?.id ?? null,
+      };
     },
-    write: async (id, { verdict, reason }, left) => {
+    write: async (id, value, left) => {
       const item = this.queue.find(id);
-      const own = item?.measurement.review.reviewer?.id === me.value?.person.id;
-      if (!item || (left && !(own && sameValue(this.given.read(id), left))))
+      const { verdict, reason } = value;
+      if (!item || (left && !(isOwn(item.measurement) && sameValue(this.given.read(id), left))))
         throw new StepOvertaken(say("review-step-overtaken"));
-      await this.give(item, { verdict, reason, points: null });
+      if (left && verdict !== "reopened" && (verdict === "fixed" || value.by !== me.value?.person.id))
+        throw new StepOvertaken(say("review-step-not-again"));
+      const giving = this.give(item, { verdict, reason, points: null });
+      await (left ? this.orOvertaken(item, giving) : giving);
     },
   };
 
+  /** A step back that another's verdict or points came before: nothing is left to send, and what stands is shown. */
+  private async orOvertaken(item: ReviewItem, giving: Promise<Height>): Promise<void> {
+    const stands = await giving.catch((error: unknown) => {
+      if (!(error instanceof ApiError && error.status === 409)) throw error;
+      this.forget(item);
+      return null;
+    });
+    if (stands && (isOwn(stands) || !stands.review.reviewer)) return;
+    await this.queue.refresh(item.measurement.id);
+    throw new StepOvertaken(say("review-step-overtaken"));
+  }
+
   /** Resolves once the verdict is stored, or kept where there is no connection; it stands in the queue from then on. */
-  async give(item: ReviewItem, want: GivenVerdict): Promise<void> {
+  async give(item: ReviewItem, want: GivenVerdict): Promise<Height> {
     const stored = await outbox.store(this.verdictOn(item, want));
-    if (!stored) toast(say("review-verdict-kept"));
-    const now = stored?.saved ?? expected(item.measurement, want);
+    if (stored?.saved) return stored.saved;
+    toast(say("review-verdict-kept"));
+    return this.note(expected(item.measurement, want));
+  }
+
+  private note(now: Height): Height {
     this.last.set(now.id, now);
     this.queue.replace(now);
     void refreshSurvey();
     void this.queue.readWork();
+    return now;
   }
 
   /** A verdict that was refused is not sent again. */
@@ -71,6 +103,10 @@ export class Verdicts {
       want,
     };
   }
+}
+
+function isOwn({ review }: Height): boolean {
+  return review.reviewer?.id === me.value?.person.id;
 }
 
 /** A height as it will be once the verdict is stored. */

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { FakeServer, recording } from "../../../testing/server";
-import { tryAgainNow } from "../../core/api";
+import { connection, tryAgainNow } from "../../core/api";
 import { outbox } from "../../core/outbox";
 import { toasts } from "../../core/toasts";
 import type { Measurement, ReviewItem } from "../../core/types";
@@ -62,7 +62,7 @@ beforeEach(() => {
       verdict: body["verdict"],
       reason: body["reason"] ?? null,
       reviewer: { id: 1, name: "R" },
-      at: null,
+      at: "2026-11-30T10:00Z",
     };
     return server.save(Number(match[1]), { ...server.stored.get(Number(match[1])), review });
   });
@@ -355,6 +355,67 @@ describe("the review queue", () => {
       await model.history.undo();
       expect(judged.at(-1)).toMatchObject({ verdict: "reopened", seen: "accepted" });
       expect(model.currentId.value).toBe(2);
+    });
+  });
+
+  describe("with this list still open", () => {
+    /** As the server has it: only the verdict that was seen is put another in the place of. */
+    const judgedByServer = (stands: Measurement["review"]) =>
+      server.on("POST", /^\/measurements\/(\d+)\/reviews$/, (match, body) => {
+        const now = server.stored.get(Number(match[1]));
+        server.on("GET", /\/history$/, () => ({ revisions: [{ ...now, review: stands }], reviews: [] }));
+        if (body["seen"] !== stands.verdict || (body["seen_at"] ?? stands.at) !== stands.at) throw 409;
+        judged.push(body);
+        return { ...now, review: { ...stands, verdict: body["verdict"] } };
+      });
+    const other = { id: 2, name: "S" };
+
+    it.each([
+      [
+        "like one's own",
+        { verdict: "rejected", reason: "It is hidden.", reviewer: other, at: "2026-11-30T11:00Z" },
+      ],
+      ["that reopened it", { verdict: "reopened", reason: null, reviewer: other, at: "2026-11-30T11:00Z" }],
+    ])("takes back nothing where another gave a verdict %s since, and says so", async (_what, stands) => {
+      await open(0);
+      await model.judge("rejected", "It is hidden.");
+      await quiet();
+      judgedByServer(stands as unknown as Measurement["review"]);
+      await expect(model.history.undo()).rejects.toThrow("Nothing was changed: this height has since been");
+      await quiet();
+      expect(judged).toHaveLength(1);
+      expect(outbox.wishes.value.size).toBe(0);
+      expect(model.history.undoLabel.value).toBeNull();
+      expect(model.queue.find(1)?.measurement.review).toMatchObject({ reviewer: other });
+    });
+
+    it.each([
+      ["a fix", "fixed", 1, "accept it if the points are right"],
+      ["another person's verdict", "accepted", 2, "accept it if the points are right"],
+    ])("does not give %s again that was reopened, and says what to do", async (_what, verdict, by, words) => {
+      await open(0);
+      const [first] = items;
+      const review = { verdict, reason: null, reviewer: { id: by, name: "S" }, at: null };
+      items = [{ ...first, measurement: { ...first?.measurement, review } } as unknown as ReviewItem];
+      await model.load();
+      await quiet();
+      await model.judge("reopened");
+      await expect(model.history.undo()).rejects.toThrow(words);
+      expect(judged).toMatchObject([{ verdict: "reopened" }]);
+      expect(model.history.undoLabel.value).toBeNull();
+    });
+
+    it("knows of a verdict that was sent later when it was given", async () => {
+      await open(0);
+      server.down = true;
+      await model.judge("rejected", "It is hidden.");
+      server.down = false;
+      tryAgainNow();
+      await quiet();
+      tryAgainNow(); // what the page itself was asking for
+      await quiet();
+      expect(connection.value.lost).toBe(false);
+      expect(model.queue.find(1)?.measurement.review.at).toBe("2026-11-30T10:00Z");
     });
   });
 

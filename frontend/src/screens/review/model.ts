@@ -4,7 +4,7 @@ import { asked, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { History } from "../../core/history";
 import { say } from "../../core/messages";
-import { may } from "../../core/session";
+import { may, me } from "../../core/session";
 import { telling, toast, toastProblem } from "../../core/toasts";
 import type { Measurement, ReviewItem } from "../../core/types";
 import { vehicleName } from "../../core/words";
@@ -102,7 +102,10 @@ export class ReviewModel {
     this.blind = new BlindClicks(this.stage, this.reel, this.geometry, lane, (again) =>
       this.clickedAgain(again),
     );
-    this.stops.push(effect(() => this.followAxes()));
+    this.stops.push(
+      this.given.close,
+      effect(() => this.followAxes()),
+    );
   }
 
   async load(): Promise<void> {
@@ -230,6 +233,7 @@ export class ReviewModel {
     if (!item || !(verdict === "rejected" ? this.mayReject : this.mayJudge)) return;
     const { id, target, revision } = item.measurement;
     const frame = this.ofFrame.value?.frame;
+    const given = { verdict, reason: reason ?? null, revision, by: me.value?.person.id ?? null };
     this.busy.value = true;
     try {
       if (verdict === "fixed" && fix && frame !== undefined)
@@ -241,7 +245,7 @@ export class ReviewModel {
       else
         await this.history.run(
           say("review-step-verdict", { target, vehicle: vehicleName(item.vehicle.number) }),
-          (changes) => changes.write(this.given.given, id, { verdict, reason: reason ?? null, revision }),
+          (changes) => changes.write(this.given.given, id, given),
         );
       if (verdict !== "reopened") this.goOn(id);
     } catch (error) {

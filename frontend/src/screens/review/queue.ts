@@ -105,12 +105,12 @@ export class ReviewQueue {
       this.put({ ...here, mine: now.mine, judged: now.judged });
   }
 
-  /** Reads a measurement anew; answers whether it has another revision now, which is then in its place. */
+  /** Reads a measurement anew, which is then in its place; answers whether it has another revision now. */
   async refresh(measurement_id: number): Promise<boolean> {
     const now = await readHeight(measurement_id).catch(() => null); // why it is asked for has been said
-    if (!now || now.revision === this.find(measurement_id)?.measurement.revision) return false;
-    this.replace(now);
-    return true;
+    const before = this.find(measurement_id)?.measurement.revision;
+    if (now) this.replace(now);
+    return now !== null && now.revision !== before;
   }
 
   /** An administrator's choice, for everybody who reviews this survey; answers whether it was made. */

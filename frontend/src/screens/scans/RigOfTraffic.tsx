@@ -104,7 +104,7 @@ export function RigOfTraffic({ scan, use, narrow, changed }: Props) {
       )}
       <DataTable
         label={say("scans-traffic-table")}
-        class={narrow ? "table--dense" : undefined}
+        class="table--dense"
         rows={rows}
         keyOf={(one) => one.what}
         columns={({ num, rowHead, actions, across }) => [

@@ -79,7 +79,10 @@ function named(scans: readonly ScanTraffic[]): ScanTraffic[] {
   });
 }
 
-function OfScan({ scan, of, surveyId }: { scan: ScanTraffic; of: TrafficOfScans; surveyId: number }) {
+/** Fewer are one dot or two of a plot, which say less than their line of the table. */
+const LEAST_PLOTTED = 3;
+
+export function OfScan({ scan, of, surveyId }: { scan: ScanTraffic; of: TrafficOfScans; surveyId: number }) {
   const [view, setView] = useState<View>("flow");
   if (scan.reason)
     return (
@@ -91,15 +94,18 @@ function OfScan({ scan, of, surveyId }: { scan: ScanTraffic; of: TrafficOfScans;
         <p>{sentenceOf(scan.reason)}</p>
       </Empty>
     );
+  const plotted = scan.intervals.length >= LEAST_PLOTTED;
   const day = scan.intervals[0] ? formatPlaceDay(scan.intervals[0].begins_at) : "";
   return (
     <>
-      <div class="grid grid--fit scan-figures" style={{ "--least": "420px" }}>
-        <FlowFigure scan={scan} minutes={of.minutes} />
-        <SpeedFigure scan={scan} />
-        <FundamentalFigure scan={scan} against="density" />
-        <FundamentalFigure scan={scan} against="flow" />
-      </div>
+      {plotted && (
+        <div class="grid grid--fit scan-figures" style={{ "--least": "420px" }}>
+          <FlowFigure scan={scan} minutes={of.minutes} />
+          <SpeedFigure scan={scan} />
+          <FundamentalFigure scan={scan} against="density" />
+          <FundamentalFigure scan={scan} against="flow" />
+        </div>
+      )}
       <Panel
         label={scan.name}
         within
@@ -116,6 +122,9 @@ function OfScan({ scan, of, surveyId }: { scan: ScanTraffic; of: TrafficOfScans;
       >
         {scan.unplaced > 0 && (
           <Notice kind="warning">{say("flows-unplaced", { count: scan.unplaced })}</Notice>
+        )}
+        {!plotted && (
+          <p class="panel__note small muted">{say("flows-few", { enough: LEAST_PLOTTED * of.minutes })}</p>
         )}
         <IntervalTable scan={scan} view={view} limits_m={of.length_limits_m} />
         <p class="panel__note small muted">{say("flows-table-note")}</p>
@@ -264,13 +273,11 @@ function LengthClass({ kind }: { kind?: TrafficInterval["classes"][number] }) {
 
 /** Of a class, the vehicles with more than two axles. */
 function axleWords(by_axles: readonly number[]): string[] {
-  const [, three = 0, four = 0, many = 0] = by_axles;
-  const found: [string, number][] = [
-    ["3", three],
-    ["4", four],
-    [say("flows-axles-many"), many],
-  ];
-  return found.flatMap(([axles, count]) => (count ? [say("flows-axles", { axles, count })] : []));
+  const axles = ["3", "4", say("flows-axles-many")];
+  return axles.flatMap((one, at) => {
+    const count = by_axles[at + 1];
+    return count ? [say("flows-axles", { axles: one, count })] : [];
+  });
 }
 
 /** A figure with its standard uncertainty below. */

@@ -100,9 +100,14 @@ function Row({ vehicle, model, lanes }: { vehicle: ScanVehicle; model: ScanModel
       ) : (
         <td class="num">{gap?.headway_s == null ? "–" : fixed(gap.headway_s, 2)}</td>
       )}
-      <td>
-        <StateMark state={stateOf(vehicle)} />
-        {waiting > 0 && <div class="small muted">{say("scan-heights-waiting", { count: waiting })}</div>}
+      <td class="nowrap">
+        <StateMark state={stateOf(vehicle)} />{" "}
+        {waiting > 0 && (
+          <span class="mark">
+            <StateMark state="to_review" word={say("scan-heights-waiting", { count: waiting })} hideWord />
+            {waiting}
+          </span>
+        )}
       </td>
     </tr>
   );

@@ -1,0 +1,49 @@
+import { render } from "preact";
+import { expect, it } from "vitest";
+import { learn } from "../../core/messages";
+import type { ScanTraffic, TrafficOfScans } from "../../core/types";
+import { beganWords, OfScan } from "./Traffic";
+
+it("draws plots from three intervals on, and says how long a scan is wanted where there are fewer", async () => {
+  await learn("scans");
+  const figure = { value: 20, u: 0.1 };
+  const interval = (minute: number) => ({
+    begins_at: `2026-05-03T08:0${minute}:00.000+02:00`,
+    watched_s: 60,
+    vehicles: 12,
+    refused: 0,
+    flow_per_hour: 720,
+    flow_low: 600,
+    flow_high: 800,
+    space_mean_speed_mps: figure,
+    density_per_km: figure,
+    occupancy_percent: figure,
+    percentiles: [],
+    reasons: [],
+  });
+  const told = (count: number) => {
+    const intervals = [0, 1, 2].slice(0, count).map(interval);
+    const scan = {
+      scan_id: 3,
+      name: "Hill",
+      direction: "camera_1_first",
+      lane: null,
+      unplaced: 0,
+      intervals,
+    };
+    const of = { minutes: 5, length_limits_m: [5] } as unknown as TrafficOfScans;
+    render(<OfScan scan={scan as unknown as ScanTraffic} of={of} surveyId={1} />, document.body);
+    const rows = document.querySelectorAll("[data-testid=traffic-3] tbody tr").length;
+    const figures = document.querySelectorAll("[data-testid^=figure-]").length;
+    return { rows, figures, said: document.body.textContent?.includes("a line scan of about 15 min") };
+  };
+  expect(told(2)).toEqual({ rows: 2, figures: 0, said: true });
+  expect(told(3)).toEqual({ rows: 3, figures: 4, said: false });
+  render(null, document.body);
+});
+
+it("an interval after midnight is told with its day, under the day of the first", () => {
+  const first = "2026-05-03T23:55:00.000+02:00";
+  expect(beganWords(first, first)).toBe("23:55:00");
+  expect(beganWords("2026-05-04T00:00:00.000+02:00", first)).toMatch(/4 May 2026.*00:00:00/);
+});
