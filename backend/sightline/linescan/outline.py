@@ -339,18 +339,18 @@ def _round_shapes(x: Floats) -> tuple[Floats, Floats, Floats]:
     def falls(way: Floats) -> Floats:
         return np.asarray((np.maximum(way - half, 0.0) / (REACH - half)) ** power)
 
-    def of_rows(way: Floats) -> Floats:
-        """The mean over a band's rows."""
-        ends = (np.maximum(way + by - half, 0.0) * falls(way + by) / (power + 1) for by in (0.5, -0.5))
-        return next(ends) - next(ends)
+    def over_rows(way: Floats) -> Floats:
+        return np.asarray(np.maximum(way - half, 0.0) * falls(way) / (power + 1))
 
+    # a band shows the mean of its rows
+    sides = [over_rows(way + 0.5) - over_rows(way - 0.5) for way in (middle - x, x - middle)]
     beyond = middle - np.clip(middle, low - 0.5, high + 0.5)
     at_end = ((middles <= low - 0.5) & (low > -REACH)) | ((middles >= high + 0.5) & (high < REACH))
     share = AT_END * at_end.any()
     of_middles = np.where(at_end, share / max(at_end.sum(), 1), (1 - share) / (~at_end).sum())
     likely = np.outer(np.full(len(POWERS), 1 / len(POWERS)), np.outer(HALF_LIKELY, of_middles))
     return (
-        np.stack([of_rows(middle - x), of_rows(x - middle)], -1),
+        np.stack(sides, -1),
         np.hstack([falls(beyond), falls(-beyond)]),
         likely.ravel(),
     )

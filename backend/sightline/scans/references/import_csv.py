@@ -158,8 +158,10 @@ def _unit_notes(lines: Sequence[_Line]) -> Iterator[Said]:
     times: dict[ReferenceQuantity, list[float]] = {}
     for line in lines:
         measured = None if line.vehicle is None else line.vehicle.measurement
-        for given in line.row.given if measured is not None else ():
-            beside = beside_ours(measured and measured.values, given)
+        if measured is None:
+            continue
+        for given in line.row.given:
+            beside = beside_ours(measured.values, given)
             if beside is not None:
                 ours = given.value + beside.difference
                 times.setdefault(given.quantity, []).append(given.value / ours)
