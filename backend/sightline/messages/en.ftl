@@ -2668,9 +2668,9 @@ scan-direction-of = { $direction ->
 }
 scan-time-gap = Time gap (rear to front)
 scan-time-gap-first = the first vehicle
-scan-distance-gap = Distance gap (clearance)
+scan-distance-gap = Distance gap (clearance, rear to front)
 scan-distance-gap-paper = { $gap } <muted>(by mean speed { $paper_gap })</muted>
-scan-headway = Headway (front to front)
+scan-headway = Time headway (front to front)
 scan-by = By
 scan-cause = { $method ->
     [paper] block matching

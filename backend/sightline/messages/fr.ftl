@@ -2678,11 +2678,11 @@ scan-direction-of = { $direction ->
     [camera_2_first] caméra 2 d’abord
    *[camera_1_first] caméra 1 d’abord
 }
-scan-time-gap = Intervalle (arrière à avant)
+scan-time-gap = Intervalle temporel (arrière à avant)
 scan-time-gap-first = le premier véhicule
-scan-distance-gap = Distance intervéhiculaire
+scan-distance-gap = Distance intervéhiculaire (arrière à avant)
 scan-distance-gap-paper = { $gap } <muted>(par la vitesse moyenne { $paper_gap })</muted>
-scan-headway = TIV (avant à avant)
+scan-headway = Temps intervéhiculaire (avant à avant)
 scan-by = Par
 scan-cause = { $method ->
     [paper] appariement de blocs
