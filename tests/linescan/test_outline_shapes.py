@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from sightline.linescan.boundaries import BUMPY_M
-from sightline.linescan.outline import DOUBT_M, ROUND_BUMPS, Bands, Seen, fit_foremost_edge
+from sightline.linescan.outline import DOUBT_M, Bands, Seen, fit_foremost_edge
 from tests.bench.goals import rms
 from tests.simulation.camera import Array
 from tests.support.proofs import every
@@ -21,6 +21,8 @@ place = np.arange(COUNT, dtype=float)
 # lines: standard deviations by greys, of bands of an even grey, and median of those of greys that change.
 # Neighbours' greys are alike: correlations of 0.56 and 0.10 (photographs: 0.3 and 0.15 with the noise).
 EVEN, STRAYING = 0.1, 0.3
+# lines: what bands stray by without noise, a tenth of a millimetre
+BUMPS = 0.03
 ALIKE = np.array([0.35, 1.0, 0.35]) / np.sqrt(1.0 + 2 * 0.35**2)
 DRAWS = 200
 
@@ -49,6 +51,21 @@ def flat_topped(rng: np.random.Generator) -> Array:
     """Flat over 1 to 3 bands, beside which it falls back as a parabola does: by 1 to 5 mm at one band."""
     fall = np.maximum(np.abs(place - rng.uniform(12, 30)) - rng.uniform(0.5, 1.5), 0.0)
     return np.asarray(rng.uniform(0.3, 1.5) * fall**2)
+
+
+def lopsided(rng: np.random.Generator, powers: tuple[float, float] = (1.25, 2.0)) -> Array:
+    """Falls back above otherwise than below: by 3 to 40 mm over 3 bands, as a power of the way, of which a
+    band shows the mean of its rows.
+    """
+    power, foremost = rng.uniform(*powers), rng.uniform(12, 30)
+    rows = place[:, None] + np.linspace(-0.475, 0.475, 20) - foremost
+    above, below = np.exp(rng.uniform(np.log(1.0), np.log(12.0), 2)) / 3**power
+    return np.asarray((np.where(rows < 0, above, below) * np.abs(rows) ** power).mean(axis=1))
+
+
+def pointed(rng: np.random.Generator) -> Array:
+    """Falls back straight from a point, above otherwise than below."""
+    return lopsided(rng, (1.0, 1.0))
 
 
 def round_bumper(rng: np.random.Generator) -> Array:
@@ -81,7 +98,7 @@ def shown(shape: Shape, noise: float, straying: bool, rng: np.random.Generator) 
     uneven = STRAYING * rng.lognormal(0.0, 1.0, COUNT) if straying else np.full(COUNT, EVEN)
     greys = np.convolve(rng.normal(size=COUNT + 2), ALIKE, "valid")
     bumps = BUMPY_M * PER_M
-    edges = true + hypot(noise, ROUND_BUMPS * bumps) * rng.normal(size=COUNT) + uneven * greys
+    edges = true + hypot(noise, BUMPS) * rng.normal(size=COUNT) + uneven * greys
     differs = np.where(np.arange(300)[:, None] >= edges, 60.0, 0.0)
     u, clear = np.full(COUNT, hypot(noise, bumps)), np.ones(COUNT, bool)
     bands = Bands(edges, u, uneven, np.zeros(COUNT), clear, bumps)
@@ -111,7 +128,7 @@ SEEN = [(noise, straying) for straying in (False, True) for noise in (0.2, 0.5)]
             4,
             [
                 (shape, *how)
-                for shape in (upright, corner, round_end, flat_topped, small_flat, slanted)
+                for shape in (upright, corner, round_end, lopsided, flat_topped, small_flat, slanted)
                 for how in SEEN[::-1]
             ],
         ),
@@ -122,7 +139,13 @@ def test_u95_of_an_end_holds(case: tuple[Shape, float, bool]) -> None:
     assert share >= 0.93 and over_u <= 1.1
 
 
-@pytest.mark.parametrize("how", every(3, SEEN[1:]))
-def test_u95_of_a_bumper_that_noise_hides_holds_less_often(how: tuple[float, bool]) -> None:
-    """Not mended: by 1.7 mm of noise or as much of greys a bumper 5 mm before a grille may look upright."""
-    assert held(round_bumper, *how)[0] >= 0.84
+@pytest.mark.parametrize(
+    "case", every(7, [(round_bumper, *how) for how in SEEN[1:]] + [(pointed, *how) for how in SEEN])
+)
+def test_u95_of_a_bumper_that_noise_hides_or_of_a_point_holds_less_often(
+    case: tuple[Shape, float, bool],
+) -> None:
+    """Not mended: by 1.7 mm of noise or as much of greys a bumper 5 mm before a grille may look upright, and
+    so does what falls back slowly and straight.
+    """
+    assert held(*case)[0] >= (0.84 if case[0] is round_bumper else 0.8)

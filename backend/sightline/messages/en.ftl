@@ -6933,7 +6933,7 @@ reference-unit-doubtful = The { $quantity ->
 } of { NUMBER($count) } { $count ->
     [one] line
    *[other] lines
-} is { $times } times ours (median): check the unit that the name of its column states.
+} is about { NUMBER($times, maximumFractionDigits: 2) } times ours: check the unit that the name of its column states.
 reference-line-replaces = Replaces the { $quantity } { $value } { $unit } (u = { $u } { $unit }).
 reference-line-renames = Was a run of { $car }.
 reference-car-too-long = The car’s name is longer than 100 characters; shorten it.

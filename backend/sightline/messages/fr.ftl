@@ -7008,7 +7008,7 @@ reference-unit-doubtful = { $quantity ->
 } de { NUMBER($count) } { $count ->
     [one] ligne
    *[other] lignes
-} vaut { $times } fois notre valeur (médiane) : contrôlez l’unité indiquée par le nom de sa colonne.
+} vaut environ { NUMBER($times, maximumFractionDigits: 2) } fois notre valeur : contrôlez l’unité indiquée par le nom de sa colonne.
 reference-line-replaces = Remplace { $quantity } { $value } { $unit } (u = { $u } { $unit }).
 reference-line-renames = Était un passage de { $car }.
 reference-car-too-long = Le nom du véhicule dépasse 100 caractères ; raccourcissez-le.

@@ -63,8 +63,7 @@ _Field = str | tuple[ReferenceQuantity, bool, float]
 
 
 _FEW = 3  # lines whose times say how far a file's clock is off
-# miles and kilometres, the units most alike, differ by 1.6
-_LIKE_OURS = 1.25
+_LIKE_UNITS = 0.05  # by so large a share a value may be off what one in another unit would be
 
 
 @dataclass
@@ -154,23 +153,24 @@ def _plan(lines: Sequence[_Line], matching: Matching | None) -> ReferencePlan:
 
 
 def _unit_notes(lines: Sequence[_Line]) -> Iterator[Said]:
-    """Values that are as a whole far from ours: more likely in another unit than their column says."""
+    """Values to be stored of which most are to ours as two units are: they may be in another unit than their
+    column says.
+    """
     times: dict[ReferenceQuantity, list[float]] = {}
     for line in lines:
         measured = None if line.vehicle is None else line.vehicle.measurement
-        if measured is None:
+        if measured is None or line.row.change not in ("new", "replaces"):
             continue
         for given in line.row.given:
-            beside = beside_ours(measured.values, given)
-            if beside is not None:
+            if (beside := beside_ours(measured.values, given)) is not None:
                 ours = given.value + beside.difference
                 times.setdefault(given.quantity, []).append(given.value / ours)
     for quantity, several in times.items():
-        middle = median(several)
-        if not 1 / _LIKE_OURS < middle < _LIKE_OURS:
-            yield Said(
-                "reference-unit-doubtful", quantity=quantity, count=len(several), times=f"{middle:.2f}"
-            )
+        units = set(_IN[quantity].values())
+        for ratio in sorted({first / second for first in units for second in units if first != second}):
+            alike = sum(abs(one / ratio - 1) < _LIKE_UNITS for one in several)
+            if alike >= max(_FEW, len(several) // 2 + 1):
+                yield Said("reference-unit-doubtful", quantity=quantity, count=alike, times=ratio)
 
 
 def _notes(rows: Sequence[ReferenceRow], matching: Matching) -> Iterator[Said]:
