@@ -325,25 +325,6 @@ def test_who_stands_through_a_recording_that_is_left_out_counts_once(
     assert [sum(one.vehicles for one in scan.intervals) for scan in found] == counted
 
 
-@pytest.mark.parametrize(
-    ("stood", "told"),
-    [("near", {"near", None}), ("far", {"far", None}), (None, {"near", "far", None})],
-)
-def test_who_stood_in_one_lane_is_not_who_is_in_view_of_another(
-    stood: str | None, told: set[str | None]
-) -> None:
-    """One that stood in any lane made all that are in view of the next recording told before."""
-    start = datetime(2026, 5, 4, 12, tzinfo=UTC)
-    starts = [Filming(start + timedelta(hours=number), "UTC") for number in range(2)]
-    watched = [Watched(number, str(number), clock, 3600.0) for number, clock in enumerate(starts, 1)]
-    still = replace(seen(1), state="not_measurable", measured=False, reason=STOOD, direction="camera_1_first")
-    cars = [replace(still, lane=stood, since_s=100.0)]
-    in_view = replace(still, scan_id=2, since_s=0.0, occupied_s=5.0, front_seen=False, reason=STOPPED)
-    cars += [replace(in_view, vehicle_id=n, lane=lane) for n, lane in enumerate(("near", "far", None), 2)]
-    _, second = seen_in_each(watched, cars)
-    assert {car.lane for car in second.vehicles if car.told_before} == told
-
-
 def test_clocks_put_back_within_an_overlap_show_one_hour_twice() -> None:
     """02:00 to 03:00 of 25 October 2026 came twice in Paris, and both are of those hours."""
     clock = Filming(datetime(2026, 10, 24, 23, 20, tzinfo=UTC), "Europe/Paris")

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from datetime import timedelta
+from datetime import datetime, timedelta
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from sightline.commands.scanned import Start, about_rig, cell_of, row_of
-from sightline.linescan.parts import STOOD, STOPPED, Rig
+from sightline.linescan.parts import CUT, STOOD, STOPPED, Lane, Rig
 from sightline.linescan.passing import measure_passages
 from sightline.traffic.archive import add_recorded
 from sightline.traffic.query import ArchiveTables
@@ -137,28 +137,106 @@ def listed_and_counted(
     return [one["recording"] for one in told["vehicles"]], sum(one["vehicles"] for one in told["intervals"])
 
 
-@pytest.mark.parametrize("kept", ["folder", "archive"])
-def test_who_stands_where_one_recording_goes_on_from_another_is_listed_once(
-    kept: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """The intervals counted it once; the list had it twice."""
-    folder = tmp_path / "recordings"
-    folder.mkdir()
-    paths = [held(folder / "a.json", 0.0, [passing(10.0), STANDS])]
-    paths.append(held(folder / "b.json", 600.0, [IN_VIEW, passing(30.0)]))
-    place = folder
-    if kept == "archive":
-        place = tmp_path / "archive"
-        for number, path in enumerate(paths):
-            begun = LINE_0 + timedelta(seconds=600.0 * number)
-            add_recorded(place, read_recorded(path, None), Stood("Hill", "", "UTC", begun, 0.1))
+def kept_as(kept: str, place: Path, paths: Sequence[Path]) -> Path:
+    """The folder of the recordings, or an archive of them."""
+    if kept == "folder":
+        return paths[0].parent
+    for path in paths:
+        begun = datetime.fromisoformat(json.loads(path.read_text())["start"])
+        add_recorded(place / "archive", read_recorded(path, None), Stood("Hill", "", "UTC", begun, 0.1))
+    return place / "archive"
+
+
+def counted_in(capsys: pytest.CaptureFixture[str], kept: str, place: Path) -> tuple[list[str], int]:
+    """`listed_and_counted`; `traffic flows` and `traffic sites` count as many of an archive."""
     listed, counted = listed_and_counted(capsys, place)
-    name = "Hill: {}.json" if kept == "archive" else "{}.json"
-    assert (listed, counted) == ([name.format(one) for one in "aab"], 3)
     if kept == "archive":
         with ArchiveTables(place) as tables:
             assert sum(row["vehicles"] for row in tables.intervals(Asked())) == counted
-            assert [site.vehicles for site in tables.sites()] == [counted]
+            assert sum(site.vehicles for site in tables.sites()) == counted
+    return [name.removeprefix("Hill: ") for name in listed], counted
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    place = tmp_path / "recordings"
+    place.mkdir()
+    return place
+
+
+@pytest.mark.parametrize("kept", ["folder", "archive"])
+def test_who_stands_where_one_recording_goes_on_from_another_is_listed_once(
+    kept: str, folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The intervals counted it once; the list had it twice."""
+    paths = [held(folder / "a.json", 0.0, [passing(10.0), STANDS])]
+    paths.append(held(folder / "b.json", 600.0, [IN_VIEW, passing(30.0)]))
+    place = kept_as(kept, tmp_path, paths)
+    assert counted_in(capsys, kept, place) == (["a.json", "a.json", "b.json"], 3)
+
+
+LANED = Rig(0.5, RATE_HZ, 0.0005, lanes=(Lane("near", 5.0), Lane("far", 9.0)))
+
+
+@pytest.mark.parametrize("kept", ["folder", "archive"])
+def test_who_is_cut_beside_one_that_stands_counts_once(
+    kept: str, folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Two vehicles: of those in view as the next recording began, only who was of the lane of one that stood
+    was told before, and the other one counted in both.
+    """
+    lines = {"front_line_1": 2.999e6, "rear_line_1": 3e6, "reason": str(CUT)}
+    at_end = {**lines, "front_s": 599.8, "rear_s": 600.0}
+    at_begin = {**at_end, "front_line_1": 0.0, "rear_line_1": 1e3, "front_s": 0.0, "rear_s": 0.2}
+    beside = [(STANDS, at_end), (IN_VIEW, at_begin)]
+    paths = [
+        held(folder / f"{name}.json", by_s, [near | {"lane": "near"}, far | {"lane": "far"}], LANED)
+        for name, by_s, (near, far) in zip("ab", (0.0, 600.0), beside, strict=True)
+    ]
+    place = kept_as(kept, tmp_path, paths)
+    assert counted_in(capsys, kept, place) == (["a.json", "a.json"], 2)
+
+
+@pytest.mark.parametrize("kept", ["folder", "archive"])
+@pytest.mark.parametrize(("gap_s", "listed"), [(0.0, "ab"), (30.0, "abc")])
+def test_a_gap_before_a_recording_in_between_leaves_open_who_is_in_view(
+    gap_s: float,
+    listed: str,
+    kept: str,
+    folder: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Nobody watched before the second, of whose other lane one passed: who is in view as the third begins at
+    once after it was told before, and lost.
+    """
+    shown = [STANDS | {"lane": "near"}, passing(30.0) | {"lane": "far"}, IN_VIEW | {"lane": "near"}]
+    starts = (0.0, 600.0 + gap_s, 1200.0 + gap_s)
+    paths = [
+        held(folder / f"{name}.json", by_s, [car], LANED)
+        for name, by_s, car in zip("abc", starts, shown, strict=True)
+    ]
+    place = kept_as(kept, tmp_path, paths)
+    assert counted_in(capsys, kept, place) == ([f"{name}.json" for name in listed], len(listed))
+
+
+@pytest.mark.parametrize("kept", ["folder", "archive"])
+def test_a_recording_that_nobody_passed_is_read_with_its_folder(
+    kept: str, folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """It was skipped: who stood through it counted twice, and what it watched was lost."""
+    cars = [[passing(10.0), STANDS], [], [IN_VIEW, passing(30.0)]]
+    paths = [held(folder / f"{name}.json", 600.0 * at, cars[at]) for at, name in enumerate("abc")]
+    for name, told in (("no_time", {"vehicles": []}), ("no_list", {"duration_s": 600.0})):
+        (folder / f"{name}.json").write_text(json.dumps(told))
+    place = kept_as(kept, tmp_path, paths)
+    assert counted_in(capsys, kept, place) == (["a.json", "a.json", "c.json"], 3)
+    if kept == "folder":
+        told = json.loads(flow(capsys, place, "--interval", "60", "--json"))
+        seconds = [one["interval_s"] for one in told["intervals"] if one["recording"] == "b.json"]
+        assert sum(seconds) == pytest.approx(600.0)
+        skipped = [name for name in ("b", "no_time", "no_list") if f"{name}.json" in str(told["notes"])]
+        assert skipped == ["no_time", "no_list"]
 
 
 @pytest.mark.parametrize(("later_s", "counted"), [(0.05, 3), (0.2, 4), (30.0, 4)])

@@ -249,22 +249,6 @@ def test_one_of_unknown_lane_that_stopped_until_the_end_may_stand_in_any(tmp_pat
     assert percents == {lane: [pytest.approx(2.0), None] for lane in "ab"}
 
 
-@pytest.mark.parametrize("lane", ["a", "b", None])
-def test_who_stood_in_one_lane_is_not_who_is_in_view_of_another(tmp_path: Path, lane: str | None) -> None:
-    """One that stood in any lane made all that are in view of the next recording told before."""
-    stands = replace(standing_passing(3, 200.0, 200.0), rear_s=None, rear_line_1=None, reason=str(STOOD))
-    stands = replace(stands, speed_mps=None, u_speed_mps=None, length_m=None, status="not_measurable")
-    in_view = replace(stands, front_s=0.0, front_line_1=0.0, rear_s=9.0, rear_line_1=9e3, reason=str(STOPPED))
-    views = [replace(in_view, number=n, lane=name) for n, name in ((1, "a"), (2, "b"), (3, None))]
-    for number, cars in enumerate(((replace(stands, lane=lane),), tuple(views))):
-        one = Recorded(f"{number}", 64 * f"{number}", 300.0, cars, ("a", "b"))
-        add_recorded(tmp_path, one, stood(f"2026-05-04T12:{5 * number:02}"))
-    with ArchiveTables(tmp_path) as tables:
-        told = {row["lane"] for row in tables.vehicles("Hill") if row["told_before"]}
-        counted = sum(one.vehicles for one in tables.sites())
-    assert told == {"", *("ab" if lane is None else lane)} and counted == 4 - len(told)
-
-
 @pytest.mark.parametrize("leaves", [False, True])
 def test_one_of_unknown_lane_is_gone_from_each_lane_that_another_has_driven_through(
     tmp_path: Path, leaves: bool

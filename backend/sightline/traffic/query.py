@@ -198,8 +198,9 @@ SELECT * EXCLUDE (start_at, from_s) REPLACE (
 FROM passed JOIN begun USING (recording_sha256, lane)
 """
 
-#: Who stood when a recording ended that another goes on from, `later_s` after it, in a minute at most; one of
-#: unknown lane in any. Who is in view of its lane as one goes on at once is told of the one before.
+#: Who stood when a recording ended that another goes on from, in a minute at most; one of unknown lane in
+#: any. `later_s`: the longest time that nobody watched since it stood. All that are in view as one goes on at
+#: once are told of the one before.
 _STOOD_BEFORE = f"""
 CREATE OR REPLACE TEMP TABLE days AS
 SELECT day, any_value(day_s) AS day_s, epoch(any_value(midnight_at)) AS begin_s FROM watched GROUP BY day;
@@ -222,16 +223,16 @@ WITH RECURSIVE stands AS (
   WHERE next.first_s BETWEEN ends.end_s - 0.001 AND ends.end_s + {STANDS_S}
     AND (reason = '{_STOOD}' OR until_s > ends.end_s - {AT_END_S})
   UNION
-  SELECT next.*, length_m, own_lane, next.first_s - ends.end_s FROM stood_before AS ends ANTI JOIN shown
+  SELECT next.*, length_m, own_lane, greatest(later_s, next.first_s - ends.end_s)
+  FROM stood_before AS ends ANTI JOIN shown
     ON shown.recording_sha256 = ends.recording_sha256
     AND ((shown.lane = ends.lane AND driven) OR (shown.lane = ends.own_lane AND in_view))
   JOIN ends AS next USING (lane)
   WHERE next.first_s BETWEEN ends.end_s - 0.001 AND ends.end_s + {STANDS_S}
 ) FROM stood_before;
 CREATE OR REPLACE TEMP VIEW vehicles AS
-SELECT * REPLACE (told_before OR (front_line_1 <= 0 AND reason IS NOT NULL AND EXISTS (
-  FROM stood_before WHERE later_s <= {GOES_ON_S} AND recording_sha256 = passings.recording_sha256
-    AND passings.lane IN (lane, ''))) AS told_before)
+SELECT * REPLACE (told_before OR (front_line_1 <= 0 AND reason IS NOT NULL AND recording_sha256 IN (
+  SELECT recording_sha256 FROM stood_before WHERE later_s <= {GOES_ON_S})) AS told_before)
 FROM passings
 """
 

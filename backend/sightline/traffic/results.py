@@ -41,6 +41,7 @@ from sightline.traffic.sources import (
     bytes_of,
     check_passings,
     instant_told,
+    is_of_nobody,
     passing_of,
     u_told,
     vehicles_in,
@@ -50,8 +51,8 @@ ENDINGS = (".csv", ".json", ".jsonl")
 #: A table that spans more is of several recordings, or has a wrong date.
 MOST_S = 366 * 86400.0
 _FIRST_YEAR, _LAST_YEAR = 1990, 2200
-#: In the beginning of a file that speaks of scanned vehicles.
-_OF_VEHICLES = b"front_line_1"
+#: In the beginning of a file that speaks of scanned vehicles, and of one that may say that nobody passed.
+_OF_VEHICLES, _OF_DURATION = b"front_line_1", b"duration_s"
 _NEEDED = ("id", "front_line_1", "rear_line_1", "speed_mps", "length_m", "status")
 _NUMBERS = tuple(one.name for one in fields(Passing) if one.type == "float | None")
 
@@ -136,6 +137,9 @@ def _in_folder(place: Path) -> tuple[list[Results], list[str]]:
     ours, others = list[Results](), list[str]()
     for path in paths:
         data = bytes_of(path, _OF_VEHICLES)
+        if not data and path.suffix.lower() == ".json":
+            data = bytes_of(path, _OF_DURATION)
+            data = data if is_of_nobody(data) else b""
         if data:
             ours.append(_of_data(path, data))
         else:

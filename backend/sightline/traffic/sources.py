@@ -68,6 +68,12 @@ def vehicles_in(path: Path, data: bytes) -> tuple[dict[str, Any] | None, list[An
     return whole, whole["vehicles"]
 
 
+def is_of_nobody(data: bytes) -> bool:
+    """Whether it is the JSON of a recording that nobody passed."""
+    whole = _object_of(data)
+    return whole is not None and whole.get("vehicles") == [] and is_number(whole.get("duration_s"))
+
+
 def _lanes(path: Path, whole: dict[str, Any] | None, passings: tuple[Passing, ...]) -> tuple[str, ...]:
     """Names of the rig's lanes: those that the file tells of, and those of its vehicles."""
     lanes = (whole or {}).get("lanes", [])

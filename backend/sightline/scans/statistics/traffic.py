@@ -76,8 +76,9 @@ class Watched:
 
 @dataclass(frozen=True)
 class StoodBefore:
-    """One who may have stood `later_s` before a recording begins; of unknown lane, in any stream that it is
-    not known to be `gone` from. `counts`: where it stood, with an end that is stated.
+    """One who may have stood when one just before a recording ended; of unknown lane, in any stream that it
+    is not known to be `gone` from. `later_s`: the longest time that nobody watched since it stood; `counts`:
+    where it stood, with an end that is stated.
     """
 
     stream: Stream
@@ -89,12 +90,10 @@ class StoodBefore:
         """Whether it may stand in a stream as its recording begins."""
         return _may_be_of(self.stream, stream) and stream not in self.gone
 
-    def may_be_in_view(self, stream: Stream) -> bool:
-        """Whether one that is in view of a stream as its recording begins may be this one, and counts before:
-        of its lane, or one lane is not known. Which way one that stands goes is not known.
-        """
-        left = self.stream in self.gone or (stream[1] is not None and stream in self.gone)
-        return self.counts and self.later_s <= GOES_ON_S and not left and _may_share_lane(self.stream, stream)
+    @property
+    def may_be_in_view(self) -> bool:
+        """Whether those in view as its recording begins may be this one and others beside it, told before."""
+        return self.counts and self.later_s <= GOES_ON_S and self.stream not in self.gone
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,9 +133,9 @@ class Seen:
         }
         return {stream: cars for stream, cars in found.items() if cars}
 
-    def is_in_view_of_before(self, car: VehicleMotion, stream: Stream) -> bool:
+    def is_in_view_of_before(self, car: VehicleMotion) -> bool:
         """Whether a vehicle was told of a recording before, from which this one goes on at once."""
-        return not car.front_seen and any(one.may_be_in_view(stream) for one in self.stood)
+        return not car.front_seen and any(one.may_be_in_view for one in self.stood)
 
     def streams_asked(self, from_s: float, until_s: float) -> set[Stream]:
         """The streams of which a vehicle was in view between two times, seconds since 1970, and counts within
@@ -242,21 +241,17 @@ def seen_in_each(
 
 def mark_told_before(seen: Sequence[Seen]) -> list[Seen]:
     """The recordings with who stood before, and with those vehicles `told_before` that count in another:
-    where one that counts stood as a recording ended and the next one goes on at once, who is in view of its
-    lane as that begins.
+    where one that counts stood as a recording ended and the next one goes on at once, all that are in view as
+    that begins.
     """
     return [_mark(each) for each in find_who_stood(seen)]
 
 
 def _mark(seen: Seen) -> Seen:
-    told = {
-        id(car)
-        for stream, cars in seen.streams.items()
-        for car in cars
-        if seen.is_in_view_of_before(car, stream)
-    }
-    cars = [replace(car, told_before=True) if id(car) in told else car for car in seen.vehicles]
-    return replace(seen, vehicles=cars) if told else seen
+    cars = [
+        replace(car, told_before=True) if seen.is_in_view_of_before(car) else car for car in seen.vehicles
+    ]
+    return replace(seen, vehicles=cars) if seen.stood else seen
 
 
 def traffic_of_seen(seen: Sequence[Seen], minutes: int, *, accepted_only: bool) -> tuple[ScanTraffic, ...]:
@@ -299,7 +294,7 @@ def find_who_stood(seen: Sequence[Seen]) -> list[Seen]:
         watched = seen[at].watched
         stood = [one for one in stood if begin_s - one[1] <= STANDS_S]
         before = [
-            replace(one, later_s=begin_s - until_s)
+            replace(one, later_s=max(one.later_s, begin_s - until_s))
             for other, until_s, one in stood
             if begin_s - until_s >= -_SHARED_S and watched.may_see_the_road_of(other)
         ]
@@ -310,12 +305,12 @@ def find_who_stood(seen: Sequence[Seen]) -> list[Seen]:
             StoodBefore(
                 stream,
                 counts=watched.end_stated
-                and (stream in own.counted or all(own.is_in_view_of_before(car, stream) for car in standing)),
+                and (stream in own.counted or all(map(own.is_in_view_of_before, standing))),
             )
             for stream, standing in own.standing.items()
         }
         stand |= {
-            replace(one, later_s=0.0, gone=one.gone | driven, counts=one.counts and watched.end_stated)
+            replace(one, gone=one.gone | driven, counts=one.counts and watched.end_stated)
             for one in before
             if one.stream not in in_view
         }
