@@ -158,7 +158,7 @@ class VerdictIn(In):
     )
     seen_at: AwareDatetime | None = Field(
         default=None,
-        description="When it was given, sent back as it was answered (`at`); one of another time is a conflict."
+        description="When it was given (`at`), sent back as it was answered; another time is a conflict."
         " null: not compared.",
     )
 
