@@ -262,9 +262,18 @@ def everything_of_one(
     again = reviewer.post(f"/scan-measurements/{measured}/review", verdict)
     assert again.status_code == 409 and "“accepted” meanwhile" in error_of(again)
     assert judged["state"] == "accepted"
+    reopened = {"verdict": "reopened", "seen": "accepted"}
+    review = f"/scan-measurements/{measured}/review"
+    others = reviewer.post(review, {**reopened, "seen_at": "2026-01-02T03:04:05Z"})
+    assert others.status_code == 409 and "“accepted” meanwhile" in error_of(others)
+    unzoned = {**reopened, "seen_at": judged["measurement"]["review"]["at"].removesuffix("Z")}
+    refused = reviewer.post(review, unzoned)
+    assert refused.status_code == 422 and "should have its time zone" in error_of(refused)
+    reviewer.made(review, {**reopened, "seen_at": judged["measurement"]["review"]["at"]})
+    assert reviewer.made(review, {"verdict": "accepted"})["state"] == "accepted"
     detail = viewer.seen(address)
     assert [one["cause"] for one in detail["history"]] == ["found", *["wheels"] * 4, "boundaries"]
-    assert [one["verdict"] for one in detail["reviews"]] == ["accepted"]
+    assert [one["verdict"] for one in detail["reviews"]] == ["accepted", "reopened", "accepted"]
 
 
 def corrected_axles(operator: Client, address: str, motion: dict[str, Any], version: int) -> dict[str, Any]:

@@ -1,11 +1,10 @@
 """What measurements take and answer."""
 
 from dataclasses import dataclass
-from datetime import datetime
 from typing import Annotated
 from uuid import UUID
 
-from pydantic import Field
+from pydantic import AwareDatetime, Field
 
 from sightline.enums import MadeAsSaid, Target, Verdict
 from sightline.infra.by_name import filled_from
@@ -157,8 +156,10 @@ class VerdictIn(In):
     seen: Verdict | None = Field(
         default=None, description="The verdict that you saw; another one is a conflict. null: not compared."
     )
-    seen_at: datetime | None = Field(
-        default=None, description="When it was given; one of another time is a conflict. null: not compared."
+    seen_at: AwareDatetime | None = Field(
+        default=None,
+        description="When it was given (`at`), sent back as it was answered; another time is a conflict."
+        " null: not compared.",
     )
 
 

@@ -2106,8 +2106,8 @@ review-step-verdict = verdict on { $target ->
     [headlight] headlight
    *[other] other target
 } of vehicle { $vehicle }
-review-step-overtaken = Nothing was changed: this height has since been withdrawn, changed or given another verdict.
-review-step-not-again = Nothing was changed: undo gives neither a correction nor another person’s verdict again; accept it if the points are right, or reject it.
+review-step-overtaken = Nothing was changed: this measurement has since been withdrawn, changed or given another verdict.
+review-step-not-again = Nothing was changed: undo gives neither a correction nor another person’s verdict again; accept the measurement if it is right, or reject it.
 review-error = Height error
 review-side = Driver’s side
 review-signs = <strong>Check closely:</strong> { $signs }
@@ -5758,6 +5758,7 @@ request-nul = a text cannot contain the NUL character
 request-one-of = input should be one of { $expected }
 request-date = input should be a valid date, such as 2026-05-04
 request-datetime = input should be a valid date and time, such as 2026-05-04T08:10:00
+request-time-zone = input should have its time zone, such as 2026-05-04T08:10:00Z
 request-list-short = list should have at least { $min_length ->
     [one] { $min_length } item
    *[other] { $min_length } items

@@ -2105,8 +2105,8 @@ review-step-verdict = décision ({ $target ->
     [headlight] projecteur
    *[other] autre cible
 }, véhicule { $vehicle })
-review-step-overtaken = Rien n’a été modifié : depuis, cette hauteur a été retirée ou changée, ou a reçu une autre décision.
-review-step-not-again = Rien n’a été modifié : l’annulation ne rétablit ni une correction ni la décision d’une autre personne ; acceptez la mesure si ses points sont justes, sinon rejetez-la.
+review-step-overtaken = Rien n’a été modifié : depuis, cette mesure a été retirée ou changée, ou a reçu une autre décision.
+review-step-not-again = Rien n’a été modifié : l’annulation ne rétablit ni une correction ni la décision d’une autre personne ; acceptez la mesure si elle est juste, sinon rejetez-la.
 review-error = Erreur de hauteur
 review-side = Côté du conducteur
 review-signs = <strong>À contrôler de près :</strong> { $signs }
@@ -5821,6 +5821,7 @@ request-pattern = le texte doit suivre le modèle { $pattern }
 request-nul = un texte ne peut pas contenir le caractère NUL
 request-date = doit être une date, comme 2026-05-04
 request-datetime = doit être une date et une heure, comme 2026-05-04T08:10:00
+request-time-zone = doit comporter son fuseau horaire, comme 2026-05-04T08:10:00Z
 request-one-of = doit être l’une de ces valeurs : { $expected }
 request-list-short = la liste a { $actual_length ->
     [one] { $actual_length } élément

@@ -32,6 +32,7 @@ _COMPLAINTS = {
         "request-date",
     ),
     **dict.fromkeys(("datetime_type", "datetime_parsing", "datetime_from_date_parsing"), "request-datetime"),
+    "timezone_aware": "request-time-zone",
     **dict.fromkeys(("int_type", "int_parsing", "int_from_float"), "request-integer"),
     **dict.fromkeys(("float_type", "float_parsing"), "request-number"),
     "string_type": "request-text",

@@ -4,7 +4,13 @@ import type { Kind, Sending, Wish } from "../../core/outbox";
 import type { LineHeight } from "../../core/types";
 import { STATE_WORDS } from "../../core/words";
 
-type Review = LineHeight["review"];
+export type Review = LineHeight["review"];
+
+/** The review of what stands, and the name of what it was given on: another one was judged by nobody yet. */
+export interface Stands {
+  readonly of: string | number;
+  readonly review: Review;
+}
 
 export interface Verdict {
   readonly verdict: "accepted" | "rejected" | "fixed" | "reopened";
@@ -25,8 +31,7 @@ interface VerdictBody<W extends Verdict> {
 
 interface Judged<S, W extends Verdict, A> extends Pick<Kind<S, W, A>, "read" | "isSaved"> {
   send(wish: Wish<S, W, A>, body: VerdictBody<W>, sending: Sending): Promise<S>;
-  /** The review of what stands, and the name of what it was given on: another one was judged by nobody yet. */
-  review(saved: S): { of: string | number; review: Review } | null;
+  review(saved: S): Stands | null;
   /** Whether a review stands on what this verdict is about. */
   isOn(saved: S, wish: Wish<S, W, A>): boolean;
 }

@@ -279,7 +279,7 @@ describe("the review queue", () => {
     const readAlone = () => server.on("GET", /review-queue\?.*measurement=1/, () => [stands]);
     const refused = () =>
       expect(model.history.undo()).rejects.toThrow(
-        "Nothing was changed: this height has since been withdrawn, changed or given another verdict.",
+        "Nothing was changed: this measurement has since been withdrawn, changed or given another verdict.",
       );
     beforeEach(async () => {
       await open(0);
@@ -381,7 +381,9 @@ describe("the review queue", () => {
       await model.judge("rejected", "It is hidden.");
       await quiet();
       judgedByServer(stands as unknown as Measurement["review"]);
-      await expect(model.history.undo()).rejects.toThrow("Nothing was changed: this height has since been");
+      await expect(model.history.undo()).rejects.toThrow(
+        "Nothing was changed: this measurement has since been",
+      );
       await quiet();
       expect(judged).toHaveLength(1);
       expect(outbox.wishes.value.size).toBe(0);
@@ -390,8 +392,8 @@ describe("the review queue", () => {
     });
 
     it.each([
-      ["a fix", "fixed", 1, "accept it if the points are right"],
-      ["another person's verdict", "accepted", 2, "accept it if the points are right"],
+      ["a fix", "fixed", 1, "accept the measurement if it is right"],
+      ["another person's verdict", "accepted", 2, "accept the measurement if it is right"],
     ])("does not give %s again that was reopened, and says what to do", async (_what, verdict, by, words) => {
       await open(0);
       const [first] = items;
@@ -403,6 +405,26 @@ describe("the review queue", () => {
       await expect(model.history.undo()).rejects.toThrow(words);
       expect(judged).toMatchObject([{ verdict: "reopened" }]);
       expect(model.history.undoLabel.value).toBeNull();
+    });
+
+    it("takes back nothing where another's verdict was taken in a conflict, like one's own as it is", async () => {
+      await open(0);
+      server.down = true;
+      await model.judge("accepted");
+      const stands = { verdict: "accepted", reason: null, reviewer: other, at: "2026-11-30T11:00Z" };
+      judgedByServer(stands as unknown as Measurement["review"]);
+      server.down = false;
+      tryAgainNow();
+      await quiet();
+      tryAgainNow(); // what the page itself was asking for
+      await quiet();
+      outbox.resolve("verdict.1", "theirs");
+      await quiet();
+      expect(model.queue.find(1)?.measurement.review).toMatchObject({ reviewer: other });
+      await expect(model.history.undo()).rejects.toThrow(
+        "Nothing was changed: this measurement has since been",
+      );
+      expect(judged).toEqual([]);
     });
 
     it("knows of a verdict that was sent later when it was given", async () => {

@@ -4,10 +4,11 @@ import { asked, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { History } from "../../core/history";
 import { say } from "../../core/messages";
-import { may, me } from "../../core/session";
+import { may } from "../../core/session";
 import { telling, toast, toastProblem } from "../../core/toasts";
 import type { Measurement, ReviewItem } from "../../core/types";
 import { vehicleName } from "../../core/words";
+import { isWaiting } from "../../parts/verdicts/given";
 import { Rejection } from "../../parts/verdicts/rejection";
 import { beside } from "../../parts/worklist";
 import { type Again, BlindClicks } from "../../viewer/blind";
@@ -20,7 +21,7 @@ import { clicksOf, type Fix, FixTool, isMoved } from "./fix";
 import { Verdicts } from "./giving";
 import { isOfFrame, isOfLine } from "./kinds";
 import { LinePicture } from "./LinePicture";
-import { isWaiting, ReviewQueue, type Shown } from "./queue";
+import { ReviewQueue, type Shown } from "./queue";
 import { REASONS } from "./reasons";
 import { isOwn, Repeats } from "./repeats";
 
@@ -231,9 +232,8 @@ export class ReviewModel {
     const item = this.current.value;
     const fix = this.fix.value;
     if (!item || !(verdict === "rejected" ? this.mayReject : this.mayJudge)) return;
-    const { id, target, revision } = item.measurement;
+    const { id, target } = item.measurement;
     const frame = this.ofFrame.value?.frame;
-    const given = { verdict, reason: reason ?? null, revision, by: me.value?.person.id ?? null };
     this.busy.value = true;
     try {
       if (verdict === "fixed" && fix && frame !== undefined)
@@ -245,13 +245,13 @@ export class ReviewModel {
       else
         await this.history.run(
           say("review-step-verdict", { target, vehicle: vehicleName(item.vehicle.number) }),
-          (changes) => changes.write(this.given.given, id, given),
+          (changes) => changes.write(this.given.given, id, { verdict, reason: reason ?? null }),
         );
       if (verdict !== "reopened") this.goOn(id);
     } catch (error) {
       toastProblem(error);
       // told here, and the measurement is looked at again: nothing is left to choose
-      this.given.forget(item);
+      this.given.forget(id);
       await this.refreshItem(item);
     } finally {
       this.busy.value = false;

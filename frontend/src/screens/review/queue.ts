@@ -4,6 +4,7 @@ import { asked } from "../../core/address";
 import { api } from "../../core/api";
 import { telling, toastProblem } from "../../core/toasts";
 import type { ReviewItem, ReviewPlan, ReviewWork, Verdict } from "../../core/types";
+import { isWaiting } from "../../parts/verdicts/given";
 import { nextThat } from "../../parts/worklist";
 import { type Height, readHeight } from "./kinds";
 
@@ -150,9 +151,4 @@ export class ReviewQueue {
     const wanted = { survey_id: this.surveyId, state: this.shown.value, ...lot, ...page };
     return api.ask("GET /surveys/{survey_id}/review-queue", wanted);
   }
-}
-
-/** True while nobody has said anything of what stands; what was reopened waits again. */
-export function isWaiting({ review }: Height): boolean {
-  return review.verdict === "to_review" || review.verdict === "reopened";
 }

@@ -1,11 +1,21 @@
 import { render } from "preact";
-import { expect, it } from "vitest";
+import { expect, it, vi } from "vitest";
 import { learn } from "../../core/messages";
 import type { ScanTraffic, TrafficOfScans } from "../../core/types";
+import { loadPlot } from "../../parts/figures/PlotFigure";
 import { beganWords, OfScan } from "./Traffic";
 
+class Wide {
+  constructor(private readonly told: (entries: unknown[]) => void) {}
+  observe() {
+    this.told([{ contentRect: { width: 640 } }]);
+  }
+  disconnect() {}
+}
+
 it("draws plots from three intervals on, and says how long a scan is wanted where there are fewer", async () => {
-  await learn("scans");
+  vi.stubGlobal("ResizeObserver", Wide);
+  await Promise.all([learn("scans"), loadPlot()]);
   const figure = { value: 20, u: 0.1 };
   const interval = (minute: number) => ({
     begins_at: `2026-05-03T08:0${minute}:00.000+02:00`,
@@ -34,12 +44,14 @@ it("draws plots from three intervals on, and says how long a scan is wanted wher
     const of = { minutes: 5, length_limits_m: [5] } as unknown as TrafficOfScans;
     render(<OfScan scan={scan as unknown as ScanTraffic} of={of} surveyId={1} />, document.body);
     const rows = document.querySelectorAll("[data-testid=traffic-3] tbody tr").length;
-    const figures = document.querySelectorAll("[data-testid^=figure-]").length;
-    return { rows, figures, said: document.body.textContent?.includes("a line scan of about 15 min") };
+    const figures = [...document.querySelectorAll("[data-testid^=figure-]")];
+    const dots = figures.map((one) => one.querySelectorAll("circle").length);
+    return { rows, dots, said: document.body.textContent?.includes("a line scan of about 15 min") };
   };
-  expect(told(2)).toEqual({ rows: 2, figures: 0, said: true });
-  expect(told(3)).toEqual({ rows: 3, figures: 4, said: false });
+  expect(told(2)).toEqual({ rows: 2, dots: [], said: true });
+  await vi.waitFor(() => expect(told(3)).toEqual({ rows: 3, dots: [0, 0, 3, 3], said: false }));
   render(null, document.body);
+  vi.unstubAllGlobals();
 });
 
 it("an interval after midnight is told with its day, under the day of the first", () => {

@@ -6,6 +6,7 @@ import { say } from "../../core/messages";
 import { outbox } from "../../core/outbox";
 import type { LineHeight, LineHeightAnswer, LinePose, LinePoses, Target } from "../../core/types";
 import { STATE_WORDS } from "../../core/words";
+import { isWaiting } from "../../parts/verdicts/given";
 import type { Bench } from "./bench";
 import { expected, type HeightWish, wantedWords } from "./expected";
 import { type Clicks, clicksOf, type HeightAbout, type HeightWanted, LINE_HEIGHT } from "./kinds";
@@ -27,9 +28,9 @@ export class KeptHeights {
 
   private readonly waiting = computed<ReadonlyMap<number, number>>(() => {
     const found = new Map<number, number>();
-    for (const { vehicle_id, withdrawn, review } of this.all.value)
-      if (!withdrawn && (review.verdict === "to_review" || review.verdict === "reopened"))
-        found.set(vehicle_id, (found.get(vehicle_id) ?? 0) + 1);
+    for (const height of this.all.value)
+      if (!height.withdrawn && isWaiting(height))
+        found.set(height.vehicle_id, (found.get(height.vehicle_id) ?? 0) + 1);
     return found;
   });
 

@@ -254,7 +254,7 @@ export const ADDED = outbox.register<ScanVehicle, Added, { scanId: number }>("ad
 /** A motion is not fixed by its reviewer. */
 export type MotionVerdict = Verdict & { readonly verdict: Exclude<Verdict["verdict"], "fixed"> };
 
-interface VerdictAbout {
+export interface VerdictAbout {
   readonly id: number;
   readonly measurementId: number;
   readonly by: number;

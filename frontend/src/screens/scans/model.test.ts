@@ -1,6 +1,8 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { FakeServer } from "../../../testing/server";
+import { tryAgainNow } from "../../core/api";
 import { say, speak } from "../../core/messages";
+import { outbox } from "../../core/outbox";
 import { me } from "../../core/session";
 import { toasts } from "../../core/toasts";
 import type { StripPoint } from "../../parts/strips/view";
@@ -204,15 +206,26 @@ describe("the strips", () => {
 });
 
 describe("judging vehicles of a line scan", () => {
-  const REVIEW = { verdict: "to_review" };
+  const REVIEW = { verdict: "to_review", reason: null, reviewer: null, at: null };
+  const [ME, OTHER] = [
+    { id: 4, name: "R" },
+    { id: 8, name: "S" },
+  ];
   let all: Record<string, unknown>[];
   let verdicts: string[];
+  const measuredOf = (vehicle: Record<string, unknown>) => vehicle["measurement"] as Record<string, unknown>;
+  const change = (id: number, facts: object) => {
+    all = all.map((vehicle) =>
+      vehicle["id"] === id ? { ...vehicle, measurement: { ...measuredOf(vehicle), ...facts } } : vehicle,
+    );
+    return all.find((vehicle) => vehicle["id"] === id);
+  };
 
   beforeEach(async () => {
     model.close();
     history.replaceState(null, "", "/");
     verdicts = [];
-    me.value = { person: { id: 4, role: "reviewer" } } as unknown as typeof me.value;
+    me.value = { person: { ...ME, role: "reviewer" } } as unknown as typeof me.value;
     const one = (id: number, part: object = {}) => ({
       id,
       number: id,
@@ -220,17 +233,30 @@ describe("judging vehicles of a line scan", () => {
       deleted: false,
       measurement: { ...measurement, id: 100 + id, mine: false, review: REVIEW, ...part },
     });
-    all = [one(1, { review: { verdict: "accepted" } }), one(2), one(3, { mine: true }), one(4), one(5)];
+    all = [
+      one(1, { review: { ...REVIEW, verdict: "accepted", reviewer: OTHER } }),
+      one(2),
+      one(3, { mine: true }),
+      one(4),
+      one(5),
+    ];
     server.on("GET", /^\/scans\/3\/vehicles$/, () => all);
-    server.on("GET", /^\/scan-vehicles\/\d+$/, () => ({ vehicle: all[0] }));
-    server.on("POST", /^\/scan-measurements\/(\d+)\/review/, ([, id], { verdict }) => {
-      verdicts.push(`${id} ${verdict}`);
-      all = all.map((vehicle) => {
-        const m = vehicle["measurement"] as Record<string, unknown>;
-        return String(m["id"]) === id ? { ...vehicle, measurement: { ...m, review: { verdict } } } : vehicle;
-      });
-      return all.find((vehicle) => String((vehicle["measurement"] as Record<string, unknown>)["id"]) === id);
-    });
+    server.on("GET", /^\/scan-vehicles\/(\d+)$/, ([, id]) => ({
+      vehicle: all.find((vehicle) => String(vehicle["id"]) === id),
+    }));
+    // as the server has it: only the verdict that was seen is put another in the place of
+    server.on(
+      "POST",
+      /^\/scan-measurements\/(\d+)\/review/,
+      ([, id], { verdict, reason = null, seen, seen_at }) => {
+        const now = all.find((vehicle) => String(measuredOf(vehicle)["id"]) === id);
+        const stands = now && (measuredOf(now)["review"] as typeof REVIEW);
+        if (!stands || seen !== stands.verdict || (seen_at ?? stands.at) !== stands.at) throw 409;
+        verdicts.push(`${id} ${verdict}`);
+        const at = `2026-11-30T10:00:0${verdicts.length}Z`;
+        return change(now["id"] as number, { review: { verdict, reason, reviewer: ME, at } });
+      },
+    );
     model = new ScanModel(3);
     model.stage.view.value = model.stage.view.value.resized({ width: 1000, height: 424 });
     await model.load();
@@ -268,7 +294,7 @@ describe("judging vehicles of a line scan", () => {
     expect(model.chosenId.value).toBe(4);
   });
 
-  it("takes a verdict on a motion back as a step, on the revision that stands then", async () => {
+  it("takes a verdict on a motion back as a step, and gives it again", async () => {
     await model.judging.review("rejected", "It is two vehicles.");
     await quiet();
     expect(model.chosenId.value).toBe(4);
@@ -276,17 +302,67 @@ describe("judging vehicles of a line scan", () => {
     await model.history.undo();
     await quiet();
     expect([model.chosenId.value, model.chosen.value?.measurement?.review.verdict]).toEqual([2, "reopened"]);
-    // somebody measured it again: redo judges what is there now
-    all = all.map((vehicle) =>
-      vehicle["id"] === 2
-        ? { ...vehicle, measurement: { ...(vehicle["measurement"] as object), id: 112, review: REVIEW } }
-        : vehicle,
-    );
-    await model.refresh();
     await model.history.redo();
     await quiet();
-    expect(verdicts).toEqual(["102 rejected", "102 reopened", "112 rejected"]);
+    expect(verdicts).toEqual(["102 rejected", "102 reopened", "102 rejected"]);
     expect(model.chosen.value?.measurement?.review).toMatchObject({ verdict: "rejected" });
+  });
+
+  it("does not give a verdict again on a revision that nobody looked at", async () => {
+    await model.judging.review("rejected", "It is two vehicles.");
+    await model.history.undo();
+    change(2, { id: 112, review: REVIEW });
+    await model.refresh();
+    await expect(model.history.redo()).rejects.toThrow(
+      "Nothing was changed: this measurement has since been",
+    );
+    expect(verdicts).toEqual(["102 rejected", "102 reopened"]);
+    expect(model.history.redoLabel.value).toBeNull();
+  });
+
+  it.each([
+    ["rejects it", "rejected", true],
+    ["accepts it like oneself", "accepted", true],
+    ["reopens it", "reopened", true],
+    ["rejects it, unseen here", "rejected", false],
+    ["accepts it like oneself, unseen here", "accepted", false],
+    ["reopens it, unseen here", "reopened", false],
+  ])("takes back nothing where another person %s since, and says so", async (_what, verdict, reread) => {
+    await model.judging.review("accepted");
+    await quiet();
+    change(2, { review: { verdict, reason: null, reviewer: OTHER, at: "2026-11-30T11:00:00Z" } });
+    if (reread) await model.refresh();
+    await expect(model.history.undo()).rejects.toThrow(
+      "Nothing was changed: this measurement has since been",
+    );
+    await quiet();
+    expect(verdicts).toEqual(["102 accepted"]);
+    expect(outbox.wishes.value.size).toBe(0);
+    expect([model.history.undoLabel.value, model.history.redoLabel.value]).toEqual([null, null]);
+    expect(model.vehicles.value[1]?.measurement?.review).toMatchObject({ verdict, reviewer: OTHER });
+  });
+
+  it("does not give another person's verdict again that was reopened, and says what to do", async () => {
+    model.choose(1);
+    await model.judging.review("reopened");
+    await expect(model.history.undo()).rejects.toThrow("accept the measurement if it is right");
+    expect(verdicts).toEqual(["101 reopened"]);
+    expect(model.history.undoLabel.value).toBeNull();
+  });
+
+  it("takes a verdict back that is kept, and gives it again: nobody came between", async () => {
+    server.down = true;
+    void model.judging.review("accepted");
+    await quiet();
+    await model.history.undo();
+    server.down = false;
+    tryAgainNow();
+    await quiet();
+    tryAgainNow(); // what the page itself was asking for
+    await quiet();
+    expect(outbox.wishes.value.size).toBe(0);
+    await model.history.redo();
+    expect(verdicts.at(-1)).toBe("102 accepted");
   });
 
   it("says nothing of a verdict that was not stored, and makes no step of it", async () => {

@@ -7,9 +7,10 @@ import { outbox, type Wish } from "../../core/outbox";
 import { me } from "../../core/session";
 import type { ScanVehicle } from "../../core/types";
 import type { Crossings } from "../../parts/strips/draw";
-import { verdictWords } from "../../parts/verdicts/kind";
+import { ownReview, verdictLedger } from "../../parts/verdicts/given";
+import { type Review, verdictWords } from "../../parts/verdicts/kind";
 import type { Bench } from "./bench";
-import { crossingsOf, type MotionVerdict, SCAN_VERDICT, SCANNED, standing } from "./kinds";
+import { crossingsOf, type MotionVerdict, SCAN_VERDICT, SCANNED, standing, type VerdictAbout } from "./kinds";
 import { type Facts, type ScannedWanted, scannedWords } from "./wanted";
 
 type ScannedAbout = { id: number; scanId: number };
@@ -71,24 +72,26 @@ export class ScannedVehicles {
     };
   }
 
-  /** The verdict that stands on the newest revision; what waits is written as reopened. */
-  readonly verdicts: Ledger<number, MotionVerdict> = {
-    read: (id) => {
+  readonly verdicts = verdictLedger<MotionVerdict>({
+    stands: (id) => {
       const measured = this.measurementOf(id);
-      const kept = measured && outbox.get<ScanVehicle, MotionVerdict, unknown>(verdictKey(measured.id))?.want;
-      if (kept) return kept;
-      const { verdict, reason } = measured?.review ?? {};
-      if (verdict !== "accepted" && verdict !== "rejected") return { verdict: "reopened", reason: null };
-      return { verdict, reason: reason ?? null };
+      if (!measured) return null;
+      const kept = outbox.get<ScanVehicle, MotionVerdict, unknown>(verdictKey(measured.id))?.want;
+      return { of: measured.id, review: kept ? ownReview(kept) : measured.review };
     },
-    write: (id, want) => this.giveVerdict(id, want),
-  };
+    give: (id, want) => this.giveVerdict(id, want),
+    overtaken: async (id) => {
+      const measured = this.measurementOf(id);
+      if (measured) outbox.discard(verdictKey(measured.id));
+      await this.bench.refresh();
+    },
+  });
 
-  private async giveVerdict(id: number, want: MotionVerdict): Promise<void> {
+  private async giveVerdict(id: number, want: MotionVerdict): Promise<Review | null> {
     const vehicle = this.of(id);
     const measured = vehicle?.measurement;
-    if (!measured) return;
-    const stored = await outbox.store({
+    if (!measured) return null;
+    const stored = await outbox.store<ScanVehicle, MotionVerdict, VerdictAbout>({
       key: verdictKey(measured.id),
       kind: SCAN_VERDICT,
       lane: `scan.${this.bench.id}`,
@@ -100,6 +103,7 @@ export class ScannedVehicles {
       want,
     });
     if (stored) await this.bench.refresh();
+    return stored?.saved?.measurement?.review ?? ownReview(want);
   }
 
   private measurementOf(id: number): ScanVehicle["measurement"] {
