@@ -147,7 +147,7 @@ def _of_place(place: Path, minutes: Sequence[int]) -> OfPlace:
     if place.suffix.lower() == ".zip" or any((place / path).is_file() for path in places_of(_SCANS)):
         return _of_package(place, minutes)
     results, left = results_in(place)
-    seen = [result.seen() for result in results]
+    seen = [result.seen for result in results]
     traffic = [each for length in minutes for each in traffic_of(results, length)]
     notes = [f"{name} in {place} has no scanned vehicles and is skipped." for name in left]
     notes += _notes_of_ends(seen)

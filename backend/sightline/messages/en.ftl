@@ -5921,11 +5921,11 @@ lots-beyond-plan = audit.csv: lot { $id } was accepted with more nonconforming h
 lots-rest-differs = reviews.csv: the verdicts by lot { $id } are not those of its rest; some were added or removed.
 lots-verdict-too-early = audit.csv: a verdict by lot { $id } came before its decision; one is wrong.
 reviews-verdict-given-meanwhile = { $name } gave the verdict “{ $verdict ->
-    [accepted] accepted
-    [fixed] fixed
-    [rejected] rejected
-    [reopened] reopened
-   *[to_review] to review
+    [accepted] { state-accepted }
+    [fixed] { state-fixed }
+    [rejected] { state-rejected }
+    [reopened] { state-reopened }
+   *[to_review] { state-to_review }
 }” meanwhile; check it first.
 
 ## Sight distance: the page

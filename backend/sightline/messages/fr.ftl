@@ -5985,11 +5985,11 @@ lots-beyond-plan = audit.csv : le lot { $id } a été accepté avec plus de hau
 lots-rest-differs = reviews.csv : les décisions par le lot { $id } ne sont pas celles de son reste ; certaines ont été ajoutées ou retirées.
 lots-verdict-too-early = audit.csv : une décision par le lot { $id } précède la décision sur le lot ; l’une des deux est fausse.
 reviews-verdict-given-meanwhile = { $name } a rendu entre-temps la décision « { $verdict ->
-    [accepted] validé
-    [fixed] corrigé
-    [rejected] rejeté
-    [reopened] rouvert
-   *[to_review] à vérifier
+    [accepted] { state-accepted }
+    [fixed] { state-fixed }
+    [rejected] { state-rejected }
+    [reopened] { state-reopened }
+   *[to_review] { state-to_review }
 } » ; contrôlez-la d’abord.
 
 ## Distance de visibilité : la page

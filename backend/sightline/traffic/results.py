@@ -9,6 +9,7 @@ the recording's vehicles of that direction and lane stands for it, which it cann
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from datetime import datetime, timedelta
+from functools import cached_property
 from itertools import pairwise
 from math import ceil, sqrt
 from pathlib import Path
@@ -84,6 +85,7 @@ class Results:
     rig: Rig | None = None
     stood: Sequence[StoodBefore] = ()
 
+    @cached_property
     def seen(self) -> Seen:
         """What was watched for sure: until its last vehicle had passed where it is not said how long."""
         known_s = max(((one.since_s or 0.0) + (one.occupied_s or 0.0) for one in self.vehicles), default=None)
@@ -92,7 +94,7 @@ class Results:
     def seen_in_intervals(self, minutes: int) -> Seen:
         """What was watched for intervals of `minutes`: whole ones where it is not said how long."""
         if self.watched_s is not None:
-            return self.seen()
+            return self.seen
         start, long_s = datetime.fromisoformat(self.clock.at()), 60.0 * minutes
         before_s = (60 * start.minute + start.second + start.microsecond / 1e6) % long_s
         last_s = max(one.since_s or 0.0 for one in self.vehicles)
@@ -121,10 +123,10 @@ def results_in(place: Path) -> tuple[list[Results], list[str]]:
         return [_of_data(place, bytes_of(place))], []
     if (place / WATCHED).is_dir():
         results, others = list(_of_archive(place)), list[str]()
-        seen = find_who_stood([one.seen() for one in results])
+        seen = find_who_stood([one.seen for one in results])
     else:
         results, others = _in_folder(place)
-        seen = mark_told_before([one.seen() for one in results])
+        seen = mark_told_before([one.seen for one in results])
     marked = [
         replace(one, vehicles=tuple(each.vehicles), stood=each.stood)
         for one, each in zip(results, seen, strict=True)
@@ -136,17 +138,22 @@ def _in_folder(place: Path) -> tuple[list[Results], list[str]]:
     paths = [one for one in sorted(place.iterdir()) if one.is_file() and one.suffix.lower() in ENDINGS]
     ours, others = list[Results](), list[str]()
     for path in paths:
-        data = bytes_of(path, _OF_VEHICLES)
-        if not data and path.suffix.lower() == ".json":
-            data = bytes_of(path, _OF_DURATION)
-            data = data if is_of_nobody(data) else b""
-        if data:
+        if data := _bytes_of_ours(path):
             ours.append(_of_data(path, data))
         else:
             others.append(path.name)
     if not ours:
         raise BadInput("commands-flow-folder-empty", place=place)
     return ours, others
+
+
+def _bytes_of_ours(path: Path) -> bytes:
+    """None where the file speaks of no scanned vehicles, nor says that nobody passed."""
+    data = bytes_of(path, _OF_VEHICLES)
+    if data or path.suffix.lower() != ".json":
+        return data
+    data = bytes_of(path, _OF_DURATION)
+    return data if is_of_nobody(data) else b""
 
 
 def _of_data(path: Path, data: bytes) -> Results:
