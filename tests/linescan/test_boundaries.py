@@ -94,7 +94,7 @@ def test_rows_of_the_roads_own_grey_make_a_round_end_less_sure_by_what_they_hide
         for one in edges:
             assert one.line is not None and one.u_lines < most
             assert abs(one.line + 1 - EDGE) < 2 * one.u_lines
-    assert min(one.u_lines for one in hidden) > 3 * max(one.u_lines for one in whole)
+    assert min(one.u_lines for one in hidden) > 2 * max(one.u_lines for one in whole)
 
 
 def interpolated(optics_lines: float) -> tuple[float, float]:

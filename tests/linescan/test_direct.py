@@ -21,7 +21,7 @@ from tests.simulation.scan_strips import strips
 from tests.simulation.scan_traffic import ScanSite, ScanVehicle, truths
 
 pytestmark = pytest.mark.once
-SOURCES = ("baseline", "clock", "misalignment", "fit", "boundaries")
+SOURCES = ("baseline", "clock", "misalignment", "fit", "front", "rear")
 
 
 @lru_cache(maxsize=1)
@@ -110,10 +110,11 @@ def test_the_budget_lists_its_sources_and_sums_to_the_uncertainty():
     assert by_source["baseline"].u_length_m == pytest.approx(motion.length_m * 0.002 / 0.593)
     assert by_source["clock"].u_speed_mps == pytest.approx(motion.speed_mps * 5e-5)
     assert by_source["clock"].u_length_m == 0.0
-    ends = by_source["boundaries"]
-    # the speed is that at the front's crossing, which is off by its share of the length's two ends
-    by_front = abs(motion.acceleration_mps2) / motion.speed_mps * ends.u_length_m / np.sqrt(2)
-    assert ends.u_speed_mps == pytest.approx(by_front) and ends.u_length_m > 0
+    front, rear = by_source["front"], by_source["rear"]
+    # the speed is that at the front's crossing of camera 1, of which the length has both cameras' mean
+    by_front = abs(motion.acceleration_mps2) / motion.speed_mps * front.u_length_m * np.sqrt(2 / 1.58)
+    assert front.u_speed_mps == pytest.approx(by_front) and front.u_length_m > 0
+    assert rear.u_speed_mps == 0.0 and rear.u_length_m > 0
 
 
 def test_what_takes_a_gain_and_an_offset_together_is_not_cut_by_a_cluster():

@@ -152,17 +152,22 @@ def test_an_end_is_known_to_so_many_metres_so_a_slow_vehicles_gap_is_less_sure()
     for speed in (2.5, 25.0):
         ahead = crossings(speed, 0.0, 4.2)
         behind = crossings(speed, 0.0, 4.2, start=ahead.rear_line_1 + 6000)
-        ends = (Entry("boundaries", 0.0, 0.0, 0.0028), Entry("fit", 0.01, 0.02, 5.0))
+        ends = (
+            Entry("front", 0.0, 0.0, 0.0028),
+            Entry("rear", 0.0, 0.0, 0.0016),
+            Entry("fit", 0.01, 0.02, 5.0),
+        )
         pair = [(seen, replace(motion(seen, speed, 0.0, 4.2), budget=ends)) for seen in (ahead, behind)]
         u_s.append(gaps(pair, rig)[1].u_time_gap_s)
         later = gaps(pair, replace(rig, u_line_rate_ratio=0.01))[1]
         assert later.u_time_gap_s == pytest.approx(0.01 * later.time_gap_s, rel=0.01)
-    # 2.8 mm are both ends', as the mean of two cameras whose errors correlate by 0.58; what interpolating
-    # between two lines left in them comes off, and on again for the one line of each end
+    # 2.8 mm of the follower's front and 1.6 mm of the leader's rear are as the mean of two cameras whose
+    # errors correlate by 0.58; what interpolating between two lines left in them comes off by half, and on
+    # again for the one line of each end
     for found, speed in zip(u_s, (2.5, 25.0), strict=True):
         lines_s = 0.06 / RATE_HZ
-        one_m = ((0.0028**2 - (lines_s * speed) ** 2) / 1.58) ** 0.5
-        assert found == pytest.approx(2**0.5 * ((one_m / speed) ** 2 + lines_s**2) ** 0.5, rel=0.01)
+        both = [(end_m**2 - (lines_s * speed) ** 2 / 2) * 2 / 1.58 for end_m in (0.0028, 0.0016)]
+        assert found == pytest.approx((sum(both) / speed**2 + 2 * lines_s**2) ** 0.5, rel=0.01)
 
 
 def test_after_two_beside_each_other_a_gap_runs_from_the_rear_that_left_last() -> None:

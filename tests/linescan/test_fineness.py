@@ -44,7 +44,7 @@ def test_planes_that_open_are_as_far_apart_as_at_the_vehicles() -> None:
     again = found(plain(), opening)[0]
     for one, same in zip(plain_found()[0], again, strict=True):
         assert vars(same.crossings) == pytest.approx(vars(one.crossings), abs=1e-6)
-        assert same.u_boundaries_m == pytest.approx(one.u_boundaries_m, rel=1e-6)
+        assert same.u_ends_m == pytest.approx(one.u_ends_m, rel=1e-6)
     rig, slow = (replace(one, line_rate_hz=RIG.line_rate_hz / 32) for one in (RIG, opening))
     (passage, *_) = found(every(32), rig)[0]
     said = too_coarse(passage, rig)

@@ -124,6 +124,7 @@ SEEN = [(noise, straying) for straying in (False, True) for noise in (0.2, 0.5)]
     "case",
     [
         (round_bumper, 0.2, False),
+        (round_bumper, 0.5, False),
         *every(
             4,
             [
@@ -140,12 +141,12 @@ def test_u95_of_an_end_holds(case: tuple[Shape, float, bool]) -> None:
 
 
 @pytest.mark.parametrize(
-    "case", every(7, [(round_bumper, *how) for how in SEEN[1:]] + [(pointed, *how) for how in SEEN])
+    "case", every(6, [(round_bumper, *how) for how in SEEN[2:]] + [(pointed, *how) for how in SEEN])
 )
-def test_u95_of_a_bumper_that_noise_hides_or_of_a_point_holds_less_often(
+def test_u95_of_a_bumper_that_greys_hide_or_of_a_point_holds_less_often(
     case: tuple[Shape, float, bool],
 ) -> None:
-    """Not mended: by 1.7 mm of noise or as much of greys a bumper 5 mm before a grille may look upright, and
-    so does what falls back slowly and straight.
+    """Not mended: by greys that stray a bumper 5 mm before a grille may look upright; and of the shapes over
+    which a round end is averaged, one that falls back straight is the foremost.
     """
-    assert held(*case)[0] >= (0.84 if case[0] is round_bumper else 0.8)
+    assert held(*case)[0] >= (0.92 if case[0] is round_bumper else 0.83)

@@ -97,7 +97,7 @@ def test_profile_and_budget_say_what_was_used(measured: list[tuple[ScanTruth, Mo
     assert one.profile is not None and one.u_speed_mps is not None and one.fit_error_percent is not None
     inside = (one.profile.line_1 > truth.front_line_1) & (one.profile.line_1 < truth.rear_line_1)
     assert inside.all() and len(one.profile.used) == len(inside) and one.profile.used.any()
-    assert [entry.source for entry in one.budget] == ["baseline", "clock", "regression", "front and rear"]
+    assert [entry.source for entry in one.budget] == ["baseline", "clock", "regression", "front", "rear"]
     assert np.hypot.reduce([entry.u_speed_mps for entry in one.budget]) == pytest.approx(one.u_speed_mps)
     assert one.budget[0].u_speed_mps == pytest.approx(one.speed_mps * 0.001 / 0.593)
     assert 0 < one.fit_error_percent < 3

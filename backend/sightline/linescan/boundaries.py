@@ -63,8 +63,8 @@ U_LINE_LINES, STEP, STEP_POWER = 0.06, 0.72, 2.4
 OF_MEDIAN = 1.57
 
 
-def refine_crossings(passage: Passage, rig: Rig) -> tuple[Crossings, float]:
-    """The crossings to a fraction of a line, and what they bring to the length's u, metres.
+def refine_crossings(passage: Passage, rig: Rig) -> tuple[Crossings, tuple[float, float]]:
+    """The crossings to a fraction of a line, and what front and rear bring to the length's u, metres.
 
     A boundary that is not clear at all keeps its rough line. The length is the mean of both cameras' lengths,
     so each of four boundaries counts half in it, those of the same end correlated (JCGM 100:2008, 5.2.2).
@@ -85,8 +85,11 @@ def refine_crossings(passage: Passage, rig: Rig) -> tuple[Crossings, float]:
         lines.append(line if edge.line is None else start + edge.line)
         u_m.append(hypot(edge.u_lines / per_m, FLAT_M, DOUBT_M * edge.doubtful))
         between.append(edge.u_between_lines / per_m)
-    variance = sum((a * a + b * b + 2 * SAME_END * a * b) / 4 for a, b in zip(u_m[:2], u_m[2:], strict=True))
-    return Crossings(*lines), hypot(sqrt(variance), hypot(*between) / 2)
+    front_m, rear_m = (
+        hypot(sqrt((a * a + b * b + 2 * SAME_END * a * b) / 4), hypot(c, d) / 2)
+        for a, b, c, d in zip(u_m[:2], u_m[2:], between[:2], between[2:], strict=True)
+    )
+    return Crossings(*lines), (front_m, rear_m)
 
 
 def edge_near(

@@ -1,17 +1,22 @@
-"""The uncertainty of a measured motion, source by source: baseline, clock, misalignment, fit, boundaries."""
+"""The uncertainty of a measured motion, source by source: baseline, clock, misalignment, fit, front, rear."""
 
 from dataclasses import dataclass
+from math import hypot, sqrt
 
 import numpy as np
 
 from sightline.arrays import Floats
-from sightline.linescan.boundaries import U_LINE_LINES
+from sightline.linescan.boundaries import SAME_END, U_LINE_LINES
 from sightline.linescan.parts import Entry, Passage, Rig
 from sightline.linescan.registration import Clock, Fit
 
 # what the half-way rule and the outline leave of a usual boundary, metres, standard u: where nothing else is
 # known of it, for it was placed by hand or is planned
 U_EDGE_M = 0.0006
+# by how many standard deviations both cameras may disagree about an end before that says more than its bands,
+# and how many times its u half of that is, for their errors correlate by SAME_END
+DISAGREE = 3.0
+DISAGREE_OVER_U = DISAGREE * sqrt((1 - SAME_END) / (1 + SAME_END))
 
 
 @dataclass(frozen=True)
@@ -68,7 +73,9 @@ def budget_of(
     answer = _answer_to_shift(fit) * u_shift
     due = np.outer(answer, answer)
     apart = gone(f2) - course.baseline_m, gone(r2) - gone(r1) - course.baseline_m
-    u_edges = _u_edges(*apart, passage.u_boundaries_m, U_LINE_LINES * v / rig.line_rate_hz)
+    u_line = U_LINE_LINES * v / rig.line_rate_hz
+    u_front, u_rear = (_u_end(*one, u_line) for one in zip(apart, passage.u_ends_m, strict=True))
+    at_front = u_at_one_camera(u_front, 0.0 if passage.u_ends_m[0] else u_line)
     gradient = np.array([by_speed, by_acceleration])
 
     def entry(source: str, spread: Floats) -> Entry:
@@ -82,7 +89,8 @@ def budget_of(
         Entry("clock", v * clock_ratio, 2 * abs(a) * clock_ratio, 0.0),
         entry("misalignment", due),
         entry("fit", spread),
-        Entry("boundaries", abs(a) / v * u_edges / float(np.sqrt(2)), 0.0, u_edges),
+        Entry("front", abs(a) / v * at_front, 0.0, u_front),
+        Entry("rear", 0.0, 0.0, u_rear),
     )
     u = [
         float(np.sqrt(sum(getattr(e, name) ** 2 for e in entries)))
@@ -123,11 +131,19 @@ def _answer_to_shift(fit: Fit) -> Floats:
     return np.asarray(-np.linalg.lstsq(normal / np.outer(size, size), right / size, rcond=1e-12)[0] / size)
 
 
-def _u_edges(front_m: float, rear_m: float, u_found_m: float, u_line_m: float) -> float:
-    """Of the length: how well both ends were found, which their bands say, or a usual end's and what lies
-    between two lines (`u_line_m`) where a person placed them; or what both cameras disagree about the same
-    boundary if that is more.
+def _u_end(apart_m: float, u_found_m: float, u_line_m: float) -> float:
+    """Of an end, as the mean of both cameras, metres: as its bands say it was found, or half of what the
+    cameras disagree about it (`apart_m`) where that is more than errors by such u do; where a person placed
+    it, a usual end's, that half, and what lies between two lines (`u_line_m`).
     """
-    disagree = (front_m**2 + rear_m**2) / 4
-    by_hand = 2 * U_EDGE_M**2 + disagree + u_line_m**2
-    return float(np.sqrt(max(disagree, u_found_m**2) if u_found_m else by_hand))
+    half_m = abs(apart_m) / 2
+    if u_found_m:
+        return half_m if half_m > DISAGREE_OVER_U * u_found_m else u_found_m
+    return hypot(U_EDGE_M, half_m, u_line_m / sqrt(2))
+
+
+def u_at_one_camera(u_mean_m: float, u_line_m: float) -> float:
+    """Of an end at one camera, metres, of which the mean of both is known to `u_mean_m`, and in which
+    `u_line_m` lies between two lines, which either camera does for itself.
+    """
+    return hypot(sqrt(max(u_mean_m**2 - u_line_m**2 / 2, 0.0) * 2 / (1 + SAME_END)), u_line_m)

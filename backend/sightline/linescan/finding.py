@@ -428,5 +428,5 @@ def too_few_lines(lines: float) -> Said:
 
 def _bounded(passage: Passage, rig: Rig) -> Passage:
     """The passage with its boundaries to a fraction of a line."""
-    crossings, u_boundaries_m = refine_crossings(passage, rig)
-    return replace(passage, crossings=crossings, u_boundaries_m=u_boundaries_m)
+    crossings, u_ends_m = refine_crossings(passage, rig)
+    return replace(passage, crossings=crossings, u_ends_m=u_ends_m)

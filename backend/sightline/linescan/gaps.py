@@ -13,10 +13,11 @@ mid-time only for equal or constant speeds, and far off where neighbours differ 
 
 from collections.abc import Sequence
 from dataclasses import replace
-from math import hypot, sqrt
+from math import hypot
 
 from sightline.enums import ScanDirection
-from sightline.linescan.boundaries import SAME_END, U_LINE_LINES
+from sightline.linescan.boundaries import U_LINE_LINES
+from sightline.linescan.budget import u_at_one_camera
 from sightline.linescan.parts import Crossings, Gap, Motion, Rig, front_seen, rear_seen
 from sightline.linescan.rig import u_travelled_m
 from sightline.linescan.traffic import Stream
@@ -130,11 +131,12 @@ def _gap(before: Measured, this: Measured) -> Gap:
         return replace(known, reason=Said("scan-gap-leader-unmeasured"))
     passing_s = (ahead.rear_line_1 - ahead.front_line_1) / rate
     leaving_mps = leader.speed_mps + leader.acceleration_mps2 * passing_s
-    u_rear_s = _u_crossing_s(leader, leaving_mps, rate)
+    u_rear_s = _u_crossing_s("rear", leader, leaving_mps, rate)
     paper_m = u_time_s = None
+    u_front_s = 0.0
     if follower.speed_mps is not None:
         paper_m = time_s * (leader.speed_mps + follower.speed_mps) / 2
-        u_front_s = _u_crossing_s(follower, follower.speed_mps, rate)
+        u_front_s = _u_crossing_s("front", follower, follower.speed_mps, rate)
         u_time_s = hypot(u_rear_s, u_front_s, time_s * rig.u_line_rate_ratio)
     known = replace(known, u_time_gap_s=u_time_s)
     now_mps = leaving_mps + leader.acceleration_mps2 * time_s
@@ -142,21 +144,17 @@ def _gap(before: Measured, this: Measured) -> Gap:
         return replace(known, paper_distance_gap_m=paper_m, reason=Said("scan-gap-leader-stopped"))
     distance_m = (leaving_mps + now_mps) / 2 * time_s
     u_motion_m = u_travelled_m(leader, passing_s, since_front_s, rig.u_line_rate_ratio)
-    u_m = hypot(u_motion_m, now_mps * u_rear_s)
-    if follower.speed_mps is not None:
-        u_m = hypot(u_m, now_mps * _u_crossing_s(follower, follower.speed_mps, rate))
+    u_m = hypot(u_motion_m, now_mps * u_rear_s, now_mps * u_front_s)
     return replace(known, distance_gap_m=distance_m, paper_distance_gap_m=paper_m, u_distance_gap_m=u_m)
 
 
-def _u_crossing_s(motion: Motion, speed_mps: float, line_rate_hz: float) -> float:
-    """Of the moment at which one end of a vehicle crosses camera 1: an end is known to so many metres at any
-    speed, as the length's budget says of both together; one that a person placed, to no less than lines are.
+def _u_crossing_s(end: str, motion: Motion, speed_mps: float, line_rate_hz: float) -> float:
+    """Of the moment at which one `end` of a vehicle crosses camera 1: it is known to so many metres at any
+    speed, as the length's budget says; one that a person placed, to no less than lines are.
     """
-    of_length = {one.source: one.u_length_m for one in motion.budget}
-    # the paper's length is camera 1's alone, the other the mean of both cameras', interpolated in both
-    both_m = of_length.get("boundaries", 0.0)
-    lines = 0.0 if both_m and motion.u_boundaries_m else U_LINE_LINES
-    lines_m = lines * (motion.speed_mps or 0.0) / line_rate_hz
-    one_m = sqrt(max(both_m**2 - lines_m**2, 0.0) / (1 + SAME_END))
-    one_m = hypot(one_m, of_length.get("front and rear", 0.0) / sqrt(2))
-    return hypot(one_m / speed_mps, lines / line_rate_hz)
+    lines = 0.0 if motion.u_boundaries_m else U_LINE_LINES
+    end_m = next((one.u_length_m for one in motion.budget if one.source == end), 0.0)
+    # the paper's length is camera 1's alone, the other the mean of both cameras'
+    if motion.method == "direct":
+        end_m = u_at_one_camera(end_m, lines * (motion.speed_mps or 0.0) / line_rate_hz)
+    return max(end_m / speed_mps, lines / line_rate_hz)

@@ -7,7 +7,7 @@ believed, whatever it says.
 
 from collections.abc import Callable
 from dataclasses import replace
-from math import inf, isfinite
+from math import hypot, inf, isfinite
 
 from sightline.coverage import expanded
 from sightline.enums import ScanMethod
@@ -82,7 +82,7 @@ def with_doubt(measure: Callable[[Passage, Rig], Motion]) -> Callable[[Passage, 
     """A method whose motions keep what the doubt about their boundaries brought to the length's u."""
 
     def measured(passage: Passage, rig: Rig) -> Motion:
-        return replace(measure(passage, rig), u_boundaries_m=passage.u_boundaries_m)
+        return replace(measure(passage, rig), u_boundaries_m=hypot(*passage.u_ends_m))
 
     return measured
 

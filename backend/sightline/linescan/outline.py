@@ -2,11 +2,10 @@
 
 It is that of a round end through the edges of neighbouring bands, each with the weight of its own doubt:
 bumpers are round or come to a point, seldom alike above and below, some flat about their foremost point, and
-may have the road's own grey in some bands; over all such shapes the mean is taken by how likely each is.
-Where a parabola fits no better than an upright line the end is flat. The lowest of many noisy values, which a
-vertex seeks, lies too far out, and so does a parabola about a corner; a bumper that stands before an upright
-face does not. So wherever more bands agree with an upright line, both are weighed by what the bands say, and
-u holds what lies between them.
+may have the road's own grey in some bands; over all such shapes the mean is taken by how likely each is. The
+lowest of many noisy values, which a vertex seeks, lies too far out, and so does a parabola about a corner; a
+bumper that stands before an upright face does not. So wherever more bands agree with an upright line, both
+are weighed by what the bands say, and u holds what lies between them.
 
 An outline falls back from its foremost point upwards and downwards, so bands that lie behind others on either
 side are no part of it: they are gaps, or show an edge within a vehicle whose grey is the road's there. Which
@@ -14,7 +13,7 @@ of both is told by what little differs before them.
 """
 
 from dataclasses import dataclass
-from math import exp, hypot, inf, log, sqrt
+from math import exp, hypot, log, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,8 +37,9 @@ BUMPER_BANDS, BESIDE_BANDS, BEHIND, BUMPER_M = (3, 12), 4, 3.0, 0.010
 # how likely a bumper is before anything is seen: one in twenty ends that may be upright
 BUMPER_SHARE = 0.05
 # Of the bands about the foremost point, one that shows no clear edge, or one that strays, may have been the
-# foremost: by how much it hides grows as the square of their number, as a parabola falls back. Metres.
-HIDDEN_M = 0.0003
+# foremost: by how much it hides grows as the square of their number, as a parabola falls back. Metres. Over a
+# notch that is seen to hide something an outline may bend by so many metres per band squared.
+HIDDEN_M, BEND_M = 0.0002, 0.0012
 # outlines of vehicles have no notches deeper than this, metres; before a notch there is something where it
 # differs by so many standard deviations (root mean square over its bands)
 NOTCH_M, THERE = 0.010, 2.5
@@ -51,9 +51,11 @@ TOLD_M = 0.011
 # (from the errors of 1900 ends, seeds 9901 and 9903), and a flat one. That and the next two were found from
 # the errors of the ends of 480 simulated bodies (seeds 8801 and 8901).
 ROUND_GREY, FLAT_GREY = 0.75, 0.4
-# A flat end of few bands that stray by more than their noise is hardly flat: what they stray more counts so
-# many times. In a long one the bands' own scatter tells, beside a share of what is usual.
-FEW_STRAY, USUAL_SHARE = 11.0, 0.2
+# In an upright end the bands' own scatter tells u of its line, beside a share of what is usual. What they
+# stray by more than MORE_NOISE times their noise, for so few bands do so by chance, is its own: it is as far
+# before its line as the foremost of three such errors is, in the mean and with that standard deviation.
+USUAL_SHARE = 0.2
+MORE_NOISE, OF_THREE, U_OF_THREE = 1.3, 0.85, 0.75
 # A round end may be flat about its foremost point, over so many bands to either side: as likely not as it is,
 # before anything is seen. From there on it falls back as one of these powers of the way, all as likely, and
 # to either side by an amount of its own: in REACH bands usually by some such many metres.
@@ -68,9 +70,9 @@ SHAPE_SHARE, ROUND_BUMPS = 0.05, 0.2
 # how many bands' worth it weighs that bands stray by what their u says, beside what they do (seed 9901)
 USUAL_BANDS = 16
 CAUCHY, ROBUST_ROUNDS = 2.385, 6
-# standard uncertainty of a doubtful boundary: the rms error of 50 such ones of 1008 simulated vehicles, most
-# of them bumpers of the road's own grey at 8 DN and 30 m/s or more, which hide up to 110 mm
-DOUBT_M = 0.025
+# standard uncertainty of a doubtful boundary: the rms error of 311 such ones of 6,120 simulated passages
+# (seeds 9901, 9905), most of them of the road's own grey, of which some hide 70 mm
+DOUBT_M = 0.012
 
 
 @dataclass(frozen=True)
@@ -125,27 +127,13 @@ class Seen:
         return float(part.mean()) / hypot(self.sigma_dn / sqrt(len(part)), self.least_dn)
 
 
-@dataclass(frozen=True)
-class _End:
-    """The foremost line of an outline, its u but for what is hidden, and whether the outline is flat.
-
-    `bend`: by how many lines it falls back at one band from its foremost; of a flat one, at most (one u more
-    than was found), of another, no more is known than of any.
-    """
-
-    line: float
-    u_lines: float
-    flat: bool
-    bend: float
-
-
 def fit_foremost_edge(bands: Bands, view: Seen) -> Edge:
     """The smallest line of the outline through the edges around the foremost bands.
 
-    Own method: an upright line or a weighted parabola through them, whichever is enough (Schwarz 1978), and
-    an upright line through more, averaged by how likely each is (Hoeting et al. 1999).
+    Own method: a round end through them and an upright line through more, averaged by how likely each is
+    (Hoeting et al. 1999).
     """
-    edges, u, uneven, clear, lines_per_m = bands.edges, bands.u, bands.uneven, bands.clear, view.lines_per_m
+    edges, u, clear, lines_per_m = bands.edges, bands.u, bands.clear, view.lines_per_m
     notches = _notches(bands, lines_per_m)
     used = np.flatnonzero(clear & ~notches)
     if len(used) < 3:
@@ -161,42 +149,27 @@ def fit_foremost_edge(bands: Bands, view: Seen) -> Edge:
     if len(kept) < 4:
         return Edge(float(np.median(edges[near])))
     doubtful = float(np.mean(clear[max(middle - 2 * REACH, 0) : middle + 2 * REACH + 1])) < CLEAR_SHARE
-    end = _end_of(kept - middle, edges[kept], u[kept], uneven[kept], lines_per_m, bands.bumps)
-    assert end is not None
-    # a flat end hides less than a round one may
-    bend = min(4 * HIDDEN_M * lines_per_m, end.bend)
+    line, u_lines = _round_end_of(bands, kept, int(middle), lines_per_m)
     hidden = max(
-        bend / 4 * (2 * REACH + 1 - len(kept)) ** 2,
-        _may_hide(bands, view, notches, end.line, bend),
+        HIDDEN_M * lines_per_m * (2 * REACH + 1 - len(kept)) ** 2,
+        _may_hide(bands, view, notches, line, BEND_M * lines_per_m),
     )
     other = float(np.max(bands.ahead[kept[np.abs(kept - middle) <= 1]], initial=0.0)) / 2
-    line, u_lines = end.line, hypot(end.u_lines, hidden)
-    upright = _upright_of(bands, used, int(middle), end, lines_per_m)
-    if upright is not None:
-        found, share = upright
-        line, u_lines = _either((found.line, found.u_lines), (line, u_lines), share)
+    line, u_lines = _upright_or(bands, used, int(middle), (line, hypot(u_lines, hidden)), lines_per_m)
     return Edge(line, doubtful, hypot(u_lines, other))
 
 
-def _either(likely: tuple[float, float], other: tuple[float, float], share: float) -> tuple[float, float]:
-    """Line and u of what is `likely` (its line and u) with the probability `share`, else the `other`: mean
-    and standard deviation of both together (Hoeting et al. 1999).
-    """
-    apart = likely[0] - other[0]
-    variance = share * likely[1] ** 2 + (1 - share) * other[1] ** 2 + share * (1 - share) * apart**2
-    return other[0] + share * apart, sqrt(variance)
-
-
-def _upright_of(
-    bands: Bands, used: NDArray[np.intp], middle: int, end: _End, lines_per_m: float
-) -> tuple[_End, float] | None:
+def _upright_or(
+    bands: Bands, used: NDArray[np.intp], middle: int, end: tuple[float, float], lines_per_m: float
+) -> tuple[float, float]:
     """The surest upright line through more of the bands `used` (n,) about the `middle` one, or to one side of
-    it, than the `end` was found by, and how likely it is the end; None where no such line has bands enough.
+    it, than the `end` (its line and u) was found by, or that end, by how likely each is; the end alone where
+    no such line has bands enough.
 
-    Own method. Against it stands a bumper: neighbouring bands, the `middle` one among them, that lie before
-    the others of the line. Bands that are too unsure to tell leave it as likely as it was.
+    Own method. Against the line stands a bumper: neighbouring bands, the `middle` one among them, that lie
+    before the others of the line. Bands that are too unsure to tell leave it as likely as it was.
     """
-    found: _End | None = None
+    found: tuple[float, float] | None = None
     s = np.hypot(bands.u, bands.uneven)
     near, misses = used, s
     for reach in UPRIGHT_REACHES:
@@ -204,21 +177,25 @@ def _upright_of(
             some = used[np.abs(used - middle - side * (reach - 1)) <= reach]
             if len(some) < UPRIGHT_BANDS:
                 continue
-            line = _end_of(some - middle, bands.edges[some], bands.u[some], bands.uneven[some], lines_per_m)
+            line = _upright_line(bands, some)
             # one that lies before a round end says nothing that the round end does not
-            if line is None or (not end.flat and line.line <= end.line):
+            if line is None or line[0] <= end[0]:
                 continue
-            off = (bands.edges[some] - line.line) / s[some]
+            off = (bands.edges[some] - line[0]) / s[some]
             agree = float(np.mean(np.abs(off) < AGREES))
-            if agree >= UPRIGHT_SHARE and (found is None or line.u_lines < found.u_lines):
+            if agree >= UPRIGHT_SHARE and (found is None or line[1] < found[1]):
                 found, near, misses = line, some, off
     if found is None:
-        return None
+        return end
     scatter = max(1.0, robust_scale(misses)) ** 2
     at = int(np.searchsorted(used, middle))
     beside = np.isin(used, near[misses < BEHIND])
     gain = _bumper_gain(bands.edges[used], scatter * s[used] ** 2, beside, at, BUMPER_M * lines_per_m)
-    return found, 1 / (1 + BUMPER_SHARE / (1 - BUMPER_SHARE) * exp(min(gain, 50.0)))
+    share = 1 / (1 + BUMPER_SHARE / (1 - BUMPER_SHARE) * exp(min(gain, 50.0)))
+    # mean and standard deviation of both together
+    apart = found[0] - end[0]
+    variance = share * found[1] ** 2 + (1 - share) * end[1] ** 2 + share * (1 - share) * apart**2
+    return end[0] + share * apart, sqrt(variance)
 
 
 def _bumper_gain(y: Floats, variance: Floats, upright: NDArray[np.bool_], at: int, usual: float) -> float:
@@ -286,43 +263,36 @@ def _may_hide(bands: Bands, view: Seen, notches: NDArray[np.bool_], line: float,
     return min(most, DOUBT_M * view.lines_per_m)
 
 
-def _end_of(
-    x: NDArray[np.intp], y: Floats, s: Floats, uneven: Floats, lines_per_m: float, bumps: float = 0.0
-) -> _End | None:
-    """The foremost line of a round end, or of an upright line if that is enough, through the edges `y` (n,)
-    of bands `x` (n,), of standard deviations `s` (n,) by noise and `bumps`, and `uneven` (n,) by greys; None
-    where more than 2 REACH + 1 bands show no upright line.
+def _upright_line(bands: Bands, at: NDArray[np.intp]) -> tuple[float, float] | None:
+    """The foremost line of an upright end through the bands `at` (n,), and its u; None where a parabola
+    through them gains what its two more coefficients cost (Schwarz 1978).
     """
-    place = x.astype(float)
+    place, y, uneven = at.astype(float), bands.edges[at], bands.uneven[at]
     # a band whose grey changes says less
-    s = np.hypot(s, uneven)
-    c, normal, strays = _weighted_fit(place, y, s, 2)
-    flat = _weighted_fit(place, y, s, 0)
-    spread = max(1.0, robust_scale(_misses(place, y, s, c)) * sqrt(len(y) / max(len(y) - 3, 1)))
+    s = np.hypot(bands.u[at], uneven)
+    round_c, _, _ = _weighted_fit(place - place.mean(), y, s, 2)
+    (line,), normal, strays = _weighted_fit(place, y, s, 0)
+    off = _misses(place - place.mean(), y, s, round_c)
+    spread = max(1.0, robust_scale(off) * sqrt(len(y) / (len(y) - 3)))
     costs = [
-        CAUCHY**2 * float(np.log1p((_misses(place, y, s, one) / (CAUCHY * spread)) ** 2).sum())
-        for one in (flat[0], c)
+        CAUCHY**2 * float(np.log1p((one / (CAUCHY * spread)) ** 2).sum()) for one in ((y - line) / s, off)
     ]
-    grey = float(np.average(uneven, weights=s**-2))
-    # a parabola must gain what its two more coefficients cost (Schwarz 1978)
-    gain = costs[0] - costs[1] - 2 * log(len(y))
-    few = len(y) <= 2 * REACH + 1
-    if gain >= 0 and not few:
+    if costs[0] - costs[1] >= 2 * log(len(y)):
         return None
-    if few:
-        own = np.sqrt(s**2 - (1 - ROUND_BUMPS**2) * bumps**2)
-        tip, u_tip = _round_end(place, y, own, USUAL_FALL_M * lines_per_m)
-        foremost = tip, hypot(u_tip, ROUND_GREY * grey)
-    if gain >= 0:
-        return _End(*foremost, False, inf)
-    bend = max(float(c[2]), 0.0) + sqrt(max(1.0, strays) * float(np.linalg.pinv(normal)[2, 2]))
-    c, normal, strays = flat
-    wider = 1 + FEW_STRAY * (max(1.0, strays) - 1) if few else USUAL_SHARE + (1 - USUAL_SHARE) * strays
-    line = _line_at(0.0, c, normal, wider, FLAT_GREY * grey)
-    # few bands may not tell a round end: it weighs as much as a parabola costs more
-    if few:
-        line = _either(line, foremost, 1 / (1 + exp(gain / 2)))
-    return _End(*line, True, bend)
+    grey = float(np.average(uneven, weights=s**-2))
+    by_noise = (USUAL_SHARE + (1 - USUAL_SHARE) * strays) / float(normal[0, 0])
+    noise = float(np.median(s**2 - bands.bumps**2))
+    own = sqrt(max(robust_scale(y - line) ** 2 - MORE_NOISE * noise, 0.0))
+    return line - OF_THREE * own, hypot(sqrt(by_noise), FLAT_GREY * grey, U_OF_THREE * own)
+
+
+def _round_end_of(bands: Bands, at: NDArray[np.intp], middle: int, lines_per_m: float) -> tuple[float, float]:
+    """The foremost line of a round end through the few bands `at` (n,) about the `middle` one, and its u."""
+    uneven = bands.uneven[at]
+    own = np.sqrt(bands.u[at] ** 2 + uneven**2 - (1 - ROUND_BUMPS**2) * bands.bumps**2)
+    line, u = _round_end(at - float(middle), bands.edges[at], own, USUAL_FALL_M * lines_per_m)
+    grey = float(np.average(uneven, weights=1 / (bands.u[at] ** 2 + uneven**2)))
+    return line, hypot(u, ROUND_GREY * grey)
 
 
 def _round_shapes(x: Floats) -> tuple[Floats, Floats, Floats]:
@@ -391,15 +361,6 @@ def _round_end(x: Floats, y: Floats, s: Floats, usual_fall: float) -> tuple[floa
     mean = float(chance @ foremost)
     by_bands = (least * np.linalg.solve(power, least[..., None])[..., 0]).sum(axis=1)
     return mean, sqrt(float(chance @ (left / freedom * by_bands + (foremost - mean) ** 2)))
-
-
-def _line_at(place: float, c: Floats, normal: Floats, wider: float, *others: float) -> tuple[float, float]:
-    """Value and u of a polynomial of coefficients `c`, from x^0 up, and their `normal` matrix at a place;
-    `wider`: by what its variance is multiplied; `others`: further u.
-    """
-    gradient = place ** np.arange(len(c))
-    by_noise = wider * float(gradient @ np.linalg.solve(normal, gradient))
-    return float(gradient @ c), hypot(sqrt(by_noise), *others)
 
 
 def _misses(x: Floats, y: Floats, s: Floats, c: Floats) -> Floats:

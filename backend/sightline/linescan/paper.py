@@ -139,7 +139,7 @@ def _budget(
     of_length = np.array([rear_s, rear_s**2 / 2])
     of_clock = rig.u_line_rate_ratio
     leaving = speed + acceleration * rear_s
-    of_crossings = hypot(speed, leaving) * U_CROSSING_LINES / rig.line_rate_hz
+    of_line = U_CROSSING_LINES / rig.line_rate_hz
     return (
         Entry("baseline", speed * of_baseline, abs(acceleration) * of_baseline, length * of_baseline),
         Entry("clock", speed * of_clock, 2 * abs(acceleration) * of_clock, 0.0),
@@ -149,7 +149,8 @@ def _budget(
             float(np.sqrt(covariance[1, 1])),
             float(np.sqrt(of_length @ covariance @ of_length)),
         ),
-        Entry("front and rear", 0.0, 0.0, of_crossings),
+        Entry("front", 0.0, 0.0, speed * of_line),
+        Entry("rear", 0.0, 0.0, leaving * of_line),
     )
 
 

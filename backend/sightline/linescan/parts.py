@@ -91,7 +91,7 @@ class Passage:
     `first`, `second`: (lines, rows) pixels; row 0 of `first` is line `start_1` of strip 1, and so for 2.
     `background_1`, `background_2`: (rows,) float32, the empty road as last seen before the vehicle.
     `noise_dn`: standard deviation of a pixel of the empty road. `reason`: why it cannot be measured, or None.
-    `u_boundaries_m`: what noise and doubt about the boundaries bring to the length's uncertainty.
+    `u_ends_m`: what noise and doubt about front and rear bring to the length's uncertainty; 0 for a person's.
     `beside`: it passes one that stands before camera 1 and is told later. `leaving`: it was seen while what
     had stood there left, and may be a part of that: only one with a motion is told.
     """
@@ -105,7 +105,7 @@ class Passage:
     background_2: NDArray[np.float32]
     noise_dn: float
     reason: Said | None = None
-    u_boundaries_m: float = 0.0
+    u_ends_m: tuple[float, float] = (0.0, 0.0)
     beside: bool = False
     leaving: bool = False
 
@@ -201,7 +201,7 @@ class Motion:
     axle_lines: tuple[float, ...] | None = None  # of strip 1, at each wheel's hub; None: not looked for
     lane: str | None = None  # of the rig's lanes; None: not known, or the rig has none
     lane_by: LaneBy | None = None
-    u_boundaries_m: float = 0.0  # the passage's
+    u_boundaries_m: float = 0.0  # of both ends of the passage
     tyres_px: float | None = None  # row of strip 1 where tyres meet the road; None: not looked for
 
 

@@ -3,7 +3,8 @@
 A motion comes from the registration of the two strips, which a file cannot hold whole; so what is made again
 is what the stored boundary lines and the rig give. The length follows exactly, and so do the entries of the
 budget that the rig brings. Of direct registration, speed and acceleration carry front and rear from camera 1
-to camera 2 over the baseline, and what is left over is in the budget's boundaries (`linescan.budget`).
+to camera 2 over the baseline, and what is left over is no more than the budget's front and rear let expect
+(`linescan.budget`).
 """
 
 import json
@@ -23,6 +24,7 @@ from sightline.infra.audit.records import survey_chain
 from sightline.infra.audit.signing import signature_holds
 from sightline.infra.csv_package.schema import sha256_hex
 from sightline.infra.version import code_version
+from sightline.linescan.budget import DISAGREE_OVER_U
 from sightline.linescan.either_way import exact_at_camera_1
 from sightline.linescan.equations import ExactMotion, travelled_m
 from sightline.linescan.rig import baseline_of, rig_from
@@ -36,7 +38,6 @@ _CLOSE = 1e-8
 _MOTION = ("speed_mps", "acceleration_mps2", "length_m")
 #: Entries that a rig brings: by which of its ratios speed, acceleration and length answer, and how often.
 _BY_RIG = {"baseline": (1, 1, 1), "clock": (1, 2, 0)}
-_BOUNDARIES = "boundaries"
 
 Document = Mapping[str, Any]
 #: What a document raises whose parts are not of their kind.
@@ -297,11 +298,12 @@ def _lines(motion: Document) -> list[str]:
     other = [] if isclose(length_m, motion["length_m"], rel_tol=_CLOSE) else ["length_m"]
     if motion["method"] == "paper":  # its boundaries are not held against its regression
         return other
-    u_m = {one["source"]: one["u_length_m"] for one in motion["budget"]}[_BOUNDARIES]
+    u_m = {one["source"]: one["u_length_m"] for one in motion["budget"]}
     if motion["direction"] == "camera_2_first":
         baseline_m = -baseline_m
-    apart_m = hypot(gone(front_2) - baseline_m, gone(rear_2) - gone(rear_1) - baseline_m) / 2
-    return other if apart_m <= u_m * (1 + _CLOSE) else [*other, "speed_mps (boundaries)"]
+    apart_m = {"front": gone(front_2) - baseline_m, "rear": gone(rear_2) - gone(rear_1) - baseline_m}
+    most = 2 * DISAGREE_OVER_U * (1 + _CLOSE)
+    return other + [f"speed_mps ({end})" for end, by in apart_m.items() if abs(by) > most * u_m[end]]
 
 
 def _by_lines(document: Document) -> ExactMotion | None:

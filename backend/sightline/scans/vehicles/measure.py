@@ -1,6 +1,7 @@
 """Measuring a scanned vehicle: its pictures from the stored strips, its motion by either method."""
 
 from dataclasses import replace
+from math import hypot
 
 from sightline.enums import ScanMethod
 from sightline.linescan.by_hand import passage_at
@@ -10,7 +11,7 @@ from sightline.linescan.rig import at_lane, lane_named
 from sightline.media.strips.stored_reader import StripReader
 from sightline.scans.losses import without_losses
 from sightline.scans.records import ScanMeasurement, ScanValues
-from sightline.scans.vehicles.motion import crossings_of, lane_by_person
+from sightline.scans.vehicles.motion import crossings_of, lane_by_person, motion_of
 
 Readers = tuple[StripReader, StripReader]
 
@@ -37,11 +38,20 @@ def measured_at(
     passage = passage_at(crossings, rig, first.rows, (first.read, second.read), first.bits)
     if earlier is not None:
         reason = None if rear_seen(earlier.reason) else earlier.reason
-        passage = replace(passage, u_boundaries_m=earlier.u_boundaries_m, reason=reason)
+        passage = replace(passage, u_ends_m=_u_ends(earlier), reason=reason)
     if lane_named(rig, lane) is None:
         return measure_passage(passage, rig, method, readers)
     motion = measure_passage(passage, replace(at_lane(rig, lane), lanes=()), method, readers)
     return replace(motion, lane=lane, lane_by="person")
+
+
+def _u_ends(earlier: Motion | ScanValues) -> tuple[float, float]:
+    """The doubt about found boundaries, m, by front and rear as the budget had them; half each without."""
+    motion = earlier if isinstance(earlier, Motion) else motion_of(earlier)
+    of_length = {one.source: one.u_length_m for one in motion.budget}
+    front, rear = of_length.get("front", 1.0), of_length.get("rear", 1.0)
+    share = motion.u_boundaries_m / hypot(front, rear)
+    return share * front, share * rear
 
 
 def measured_again(before: ScanMeasurement, rig: Rig, method: ScanMethod, readers: Readers) -> Motion:
