@@ -16,6 +16,7 @@ from sightline.geometry.camera import Camera
 from sightline.geometry.plan import Curve, Plan, plan_site
 from sightline.geometry.site import Site, plain_camera
 from sightline.linescan.planner import LinePlan, plan_lines
+from sightline.messages import write_fixed
 
 _OF_LINES = ("speed_mps", "error", "line_rate_hz", "u_baseline_m", "length_m", "time_gap_s")
 
@@ -92,7 +93,7 @@ def _lines_text(plan: LinePlan) -> str:
     wanted, expected = plan.wanted, plan.expected
     return "\n".join(
         [
-            f"{expected.lines:.1f} lines from camera 1 to camera 2 at {plan.line_rate_hz:.0f} Hz",
+            f"{write_fixed(expected.lines, 1)} lines from camera 1 to camera 2 at {plan.line_rate_hz:.0f} Hz",
             f"equation (2)              Hz for {100 * plan.error:g} %   speed off by",
             f"as printed, 2 / (n + 2)  {wanted.printed_right_side_hz:12.0f}   "
             f"{100 * expected.printed_right_side:.3g} %",
@@ -149,7 +150,7 @@ def _plan_text(planned: Plan) -> str:
         inset = f"{t.inset_m:.2f} (u = {t.u_inset_m:.2f})"
         lines.append(
             f"{t.target:<16}{t.height_m:8.2f}  {inset}   {one_frame:>7}  {two_frames:>13}  "
-            f"{1000 * t.bias_if_ignored_m:+z.0f}"
+            f"{float(write_fixed(1000 * t.bias_if_ignored_m, 0)):+z.0f}"
         )
     eye = next(t for t in planned.targets if t.target == "driver_eye")
     if eye.result.status == "ok" and eye.two_frames.reason is not None:
@@ -158,4 +159,4 @@ def _plan_text(planned: Plan) -> str:
 
 
 def _mm(metres: float | None) -> str:
-    return "-" if metres is None else f"{1000 * metres:.0f}"
+    return "-" if metres is None else write_fixed(1000 * metres, 0)

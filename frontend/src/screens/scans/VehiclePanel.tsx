@@ -146,7 +146,7 @@ function Numbers({ m, vehicle, lanes }: { m: ScanMotion; vehicle: ScanVehicle; l
             say("scan-by"),
             m.fit_error_percent === null
               ? causeWords(m)
-              : say("scan-cause-scatter", { cause: causeWords(m), percent: fixed(m.fit_error_percent, 2) }),
+              : say("scan-cause-scatter", { cause: causeWords(m), percent: significant(m.fit_error_percent) }),
           ],
           m.misalignment_px !== null && [
             say("scan-misalignment"),
