@@ -93,11 +93,13 @@ def _lines_text(plan: LinePlan) -> str:
     wanted, expected = plan.wanted, plan.expected
     return "\n".join(
         [
-            f"{write_fixed(expected.lines, 1)} lines from camera 1 to camera 2 at {plan.line_rate_hz:.0f} Hz",
+            f"{write_fixed(expected.lines, 1)} lines from camera 1 to camera 2 "
+            f"at {write_fixed(plan.line_rate_hz, 0)} Hz",
             f"equation (2)              Hz for {100 * plan.error:g} %   speed off by",
-            f"as printed, 2 / (n + 2)  {wanted.printed_right_side_hz:12.0f}   "
+            f"as printed, 2 / (n + 2)  {write_fixed(wanted.printed_right_side_hz, 0):>12}   "
             f"{100 * expected.printed_right_side:.3g} %",
-            f"corrected, 2 / n         {wanted.corrected_hz:12.0f}   {100 * expected.corrected:.3g} %",
+            f"corrected, 2 / n         {write_fixed(wanted.corrected_hz, 0):>12}   "
+            f"{100 * expected.corrected:.3g} %",
             f"u of the speed, registering and baseline: {plan.u_speed_mps:.4f} m/s",
             *(f"{_WORDS[one.quantity]:<13}{one.value:9.3f} {one.u:8.4f} (u)" for one in plan.values),
             *map(str, plan.words),
@@ -147,9 +149,9 @@ def _plan_text(planned: Plan) -> str:
     lines = ["target          height m  inset m            U95 mm  two frames mm  bias if inset ignored, mm"]
     for t in planned.targets:
         one_frame, two_frames = _mm(t.result.U95_height_m), _mm(t.two_frames.U95_height_m)
-        inset = f"{t.inset_m:.2f} (u = {t.u_inset_m:.2f})"
+        inset = f"{write_fixed(t.inset_m, 2)} (u = {write_fixed(t.u_inset_m, 2)})"
         lines.append(
-            f"{t.target:<16}{t.height_m:8.2f}  {inset}   {one_frame:>7}  {two_frames:>13}  "
+            f"{t.target:<16}{write_fixed(t.height_m, 2):>8}  {inset}   {one_frame:>7}  {two_frames:>13}  "
             f"{float(write_fixed(1000 * t.bias_if_ignored_m, 0)):+z.0f}"
         )
     eye = next(t for t in planned.targets if t.target == "driver_eye")
