@@ -54,6 +54,7 @@ def calibrate(
 
 def _calibration_text(checked: CheckedCalibration, output: Path) -> str:
     result, camera = checked.result, checked.result.camera
+    assert camera.rms_px is not None  # only a lens that was told without its images has none
     used = sum(view.used for view in camera.views)
     lines = [
         f"{output}: {used} of {len(camera.views)} images used, residual {write_fixed(camera.rms_px, 3)} px, "
