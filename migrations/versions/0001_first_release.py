@@ -640,7 +640,7 @@ def create_tables() -> None:
         sa.Column("survey_id", sa.Integer(), nullable=False),
         sa.Column("scan_id", sa.Integer(), nullable=False),
         sa.Column("stream", sa.String(length=40), nullable=False),
-        sa.Column("source", sa.Text(), nullable=False),
+        sa.Column("source", sa.Text(), nullable=True),
         sa.Column("line_rate_hz", sa.Float(), nullable=False),
         sa.Column("began_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("heard_at", sa.DateTime(timezone=True), nullable=False),

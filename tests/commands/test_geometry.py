@@ -15,6 +15,7 @@ import pytest
 from sightline.cameras.camera_files import calibration_views, pose_detections
 from sightline.cli import main
 from sightline.commands.clicks import Assumed, assumed_inset
+from sightline.commands.plan import _mm
 from sightline.commands.pose import expected_lines
 from sightline.coverage import expanded
 from sightline.geometry.board import Board
@@ -532,6 +533,10 @@ def test_plan_of_a_line_scan(capsys) -> None:
         ("--camera-height", 1.5),
     ):
         assert run("plan", *wrong) == 2
+
+
+def test_halves_of_millimetres_are_rounded_as_on_the_page_of_the_plan() -> None:
+    assert [_mm(metres) for metres in (0.0125, 0.0135, 0.00251, None)] == ["13", "14", "3", "-"]
 
 
 def test_plan_without_a_calibration(capsys) -> None:

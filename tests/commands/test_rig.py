@@ -67,7 +67,7 @@ def test_the_text_says_it_in_lines(table: Path, capsys: pytest.CaptureFixture[st
     assert main(["rig", "calibrate", str(table), "--distance", "40"]) == 0
     said = capsys.readouterr().out
     assert said.startswith("baseline at the cameras 593.00 ± ")
-    assert "6 passes from 3.00 to 9.50 m: chi-square 0.0 with 4 degrees of freedom" in said
+    assert "6 passes from 3.00 to 9.50 m: chi-square 0.0 (degrees of freedom: 4)" in said
     assert "at 40.00 m: baseline " in said
     assert "line 9 has 2 cells" in said
     assert "note: 40.00 m is far outside the passes" in said

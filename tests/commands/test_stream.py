@@ -235,6 +235,8 @@ def test_a_growing_file_is_followed_until_it_rests(
     writer.join()
     assert [measured_of(line) for line in capsys.readouterr().out.splitlines()] == streamed
 
+    assert main([*STREAM, "--until-idle", "1"]) == 2
+    assert "--until-idle needs --follow" in capsys.readouterr().err
     assert main([*STREAM, "--follow", str(tmp_path / "none")]) == 2
     assert "give the file that the cameras’ program is writing" in capsys.readouterr().err
 

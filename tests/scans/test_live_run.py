@@ -113,9 +113,9 @@ def test_lost_lines_are_listed_in_the_files_and_spoil_only_whom_they_hit(
     lost = (Lost(1, 300, 40), Lost(2, 480, 40), Lost(2, hit, 30), Lost(1, len(pair[0]) - 20, 20))
     live, said = run_of(Played(pair, lost), tmp_path)
     assert [one.vehicle.motion.status for one in live] == ["ok", "not_measurable", "ok", "ok"]
-    assert (
-        live[1].vehicle.motion.reason.sentence()
-        == "The recorder lost 30 lines of camera 2 while the vehicle passed."
+    assert live[1].vehicle.motion.reason.sentence() == (
+        "The recorder lost 30 lines of camera 2 while the vehicle passed. This passage cannot be measured; "
+        "find out why the recorder loses lines before you record again."
     )
     assert live[2].vehicle.motion.speed_mps == pytest.approx(clean[2].vehicle.motion.speed_mps, rel=1e-6)
     assert any(one.startswith("60 lines of camera 1 were lost") for one in said)

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from sqlalchemy import text, update
+from sqlalchemy import select, text, update
 
 from sightline.cli import main
 from sightline.infra.audit.verification import verify_records
@@ -64,6 +64,19 @@ def services(tmp_path: Path, shelf: Shelf) -> Iterator[Services]:
 def streams_of(services: Services) -> list[LiveStream]:
     with services.reading() as session:
         return live_streams(session, 1)
+
+
+def test_a_stream_from_a_pipe_has_no_source(
+    services: Services, lines: bytes, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "lines.raw"
+    path.write_bytes(lines[: 2 * SITE.rows * 100])
+    with path.open("rb") as piped:
+        monkeypatch.setattr("sys.stdin", piped)
+        assert main([*STREAM, "--survey", "Hill", "--data-dir", str(tmp_path / "data")]) == 0
+    assert [one.source for one in streams_of(services)] == [None]
+    with services.reading() as session:
+        assert session.execute(select(scan_live.c.source)).scalars().all() == [None]
 
 
 def test_a_stream_becomes_a_recording_whose_vehicles_are_those_of_the_search(

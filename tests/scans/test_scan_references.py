@@ -150,7 +150,7 @@ def test_a_csv_is_previewed_and_imported_line_by_line(operator: Client, scan_id:
         7: "number is “x”",
         8: "Line 2 gives the speed of this vehicle by radar already",
         9: "refs.csv, line 9: speed_kmh is “fast”, which is not a number",
-        10: "speed of 250 m/s is out of range",
+        10: "speed of 900 km/h is out of range; give a value above 0 and up to 540 km/h",
     }.items():
         assert said in refused[line], line
     done = sent(operator, scan_id, "import").json()
@@ -206,7 +206,7 @@ SPOILED: dict[str, tuple[bytes | str, dict[int, tuple[str, ...]] | tuple[str, ..
     "a speed of nothing": (SPEEDS + "1,radar,0,0.5\n", {2: ("refused", "speed")}),
     "an uncertainty of nothing": (SPEEDS + "1,radar,70,0\n", {2: ("refused", "uncertainty above 0")}),
     "an uncertainty below nothing": (SPEEDS + "1,radar,70,-0.5\n", {2: ("refused", "uncertainty above 0")}),
-    "an uncertainty above the value": (SPEEDS + "1,radar,70,90\n", {2: ("refused", "not above the value")}),
+    "an uncertainty above the value": (SPEEDS + "1,radar,70,90\n", {2: ("refused", "90 km/h", "70 km/h")}),
     "an uncertainty alone": (SPEEDS + "1,radar,,0.5\n", {2: ("refused", "but no speed")}),
     "a value without end": (SPEEDS + "1,radar,inf,0.5\n", {2: ("refused", "speed_kmh", "not a number")}),
     "digits of another script": (SPEEDS + "1,radar,７０,0.5\n", {2: ("refused", "speed_kmh")}),
@@ -214,10 +214,12 @@ SPOILED: dict[str, tuple[bytes | str, dict[int, tuple[str, ...]] | tuple[str, ..
         SPEEDS.replace(",", ";") + "1;radar;70,5;0.5\n", {2: ("refused", "decimals with a point")}),
     "decimal commas between commas": (
         SPEEDS + "1,radar,70,5,0,5\n2,radar,70,0.5\n", {2: ("refused", "cells"), 3: ("new",)}),
-    "an exponent beyond any car": (SPEEDS + "1,radar,1e3,0.5\n", {2: ("refused", "out of range")}),
+    "an exponent beyond any car": (
+        SPEEDS + "1,radar,1e3,0.5\n", {2: ("refused", "1000 km/h is out of range")}),
     "a length in millimetres": (SIZES + "1,tape,4750,10\n", {2: ("refused", "length", "4750")}),
     "metres as millimetres": (
-        SIZES.replace("_m", "_mm") + "1,tape,4.75,0.01\n", {2: ("refused", "length", "above 0.3")}),
+        SIZES.replace("_m", "_mm") + "1,tape,4.75,0.01\n",
+        {2: ("refused", "length", "4.75 mm", "above 300 and up to 100000 mm")}),
     "half a vehicle": (SPEEDS + "1.5,radar,70,0.5\n", {2: ("refused", "number", "1.5")}),
     "a vehicle below nothing": (SPEEDS + "-1,radar,70,0.5\n", {2: ("refused", "-1")}),
     "a vehicle without end": (SPEEDS + "9" * 30 + ",radar,70,0.5\n", {2: ("refused", "no vehicle 999")}),
@@ -247,6 +249,7 @@ SPOILED: dict[str, tuple[bytes | str, dict[int, tuple[str, ...]] | tuple[str, ..
     "Windows' letters": ((SPEEDS + "1,Gerät,70,0.5\n").encode("cp1252"), ("UTF-8",)),
     "a spreadsheet's own file": (b"PK\x03\x04\x14\x00" + bytes(range(256)), ("UTF-8",)),
     "nothing": (b"", ("needs a column", "number")),
+    "a header alone": (SPEEDS, ("no line of reference values below it",)),
     "a page in HTML": (b"<!DOCTYPE html><html><body>Sign in</body></html>", ("number",)),
     "blank lines, a BOM and a lone CR": (
         "\ufeff" + (SPEEDS + "\n1,radar,70,0.5\n\n").replace("\n", "\r"), {3: ("new",)}),

@@ -58,7 +58,7 @@ def adjust_command(
 def _describe_adjustment(adjustment: Adjustment, unread: list[LeftOut], output: Path) -> str:
     lines = [
         f"{output}: {adjustment.used} of {adjustment.passes + len(unread)} passes used, "
-        f"chi-square {adjustment.chi2:.0f} with {adjustment.degrees_of_freedom} degrees of freedom"
+        f"chi-square {adjustment.chi2:.0f} (degrees of freedom: {adjustment.degrees_of_freedom})"
     ]
     lines += [f"left out {one.name}: {one.reason}" for one in (*unread, *adjustment.left_out)]
     lines += [

@@ -13,6 +13,7 @@ from sightline.geometry.board import Board
 from sightline.geometry.calibration_checks import CheckedCalibration, calibrate_and_check
 from sightline.geometry.crossvalidation import CrossValidation
 from sightline.geometry.documents import camera_to_dict
+from sightline.messages import write_fixed
 from sightline.messages.said import Said
 
 
@@ -53,10 +54,12 @@ def calibrate(
 
 def _calibration_text(checked: CheckedCalibration, output: Path) -> str:
     result, camera = checked.result, checked.result.camera
+    assert camera.rms_px is not None  # only a lens that was told without its images has none
     used = sum(view.used for view in camera.views)
     lines = [
-        f"{output}: {used} of {len(camera.views)} images used, residual {camera.rms_px:.3f} px, "
-        f"fx {camera.fx_px:.2f}, fy {camera.fy_px:.2f}, cx {camera.cx_px:.2f}, cy {camera.cy_px:.2f} px"
+        f"{output}: {used} of {len(camera.views)} images used, residual {write_fixed(camera.rms_px, 3)} px, "
+        f"fx {write_fixed(camera.fx_px, 2)}, fy {write_fixed(camera.fy_px, 2)}, "
+        f"cx {write_fixed(camera.cx_px, 2)}, cy {write_fixed(camera.cy_px, 2)} px"
     ]
     lines += [f"excluded {view.file}: {view.reason}" for view in camera.views if not view.used]
     lines.append(_halves_text(checked.cross_validation))
@@ -71,7 +74,7 @@ def _halves_text(validation: CrossValidation | Said) -> str:
     if isinstance(validation, Said):
         return f"no cross-validation: {validation}"
     differences = [
-        f"{1000 * abs(d.difference_m):.1f} mm at {d.distance_m:g} m"
+        f"{write_fixed(1000 * abs(d.difference_m), 1)} mm at {d.distance_m:g} m"
         for d in validation.height_differences
         if d.difference_m is not None
     ]
@@ -80,5 +83,5 @@ def _halves_text(validation: CrossValidation | Said) -> str:
     )
     return (
         f"cross-validation, two halves calibrated separately, {heights}; "
-        f"held-out residual {validation.all_held_out_rms_px:.3f} px"
+        f"held-out residual {write_fixed(validation.all_held_out_rms_px, 3)} px"
     )

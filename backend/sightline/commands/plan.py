@@ -16,6 +16,7 @@ from sightline.geometry.camera import Camera
 from sightline.geometry.plan import Curve, Plan, plan_site
 from sightline.geometry.site import Site, plain_camera
 from sightline.linescan.planner import LinePlan, plan_lines
+from sightline.messages import write_fixed
 
 _OF_LINES = ("speed_mps", "error", "line_rate_hz", "u_baseline_m", "length_m", "time_gap_s")
 
@@ -92,11 +93,13 @@ def _lines_text(plan: LinePlan) -> str:
     wanted, expected = plan.wanted, plan.expected
     return "\n".join(
         [
-            f"{expected.lines:.1f} lines from camera 1 to camera 2 at {plan.line_rate_hz:.0f} Hz",
+            f"{write_fixed(expected.lines, 1)} lines from camera 1 to camera 2 "
+            f"at {write_fixed(plan.line_rate_hz, 0)} Hz",
             f"equation (2)              Hz for {100 * plan.error:g} %   speed off by",
-            f"as printed, 2 / (n + 2)  {wanted.printed_right_side_hz:12.0f}   "
+            f"as printed, 2 / (n + 2)  {write_fixed(wanted.printed_right_side_hz, 0):>12}   "
             f"{100 * expected.printed_right_side:.3g} %",
-            f"corrected, 2 / n         {wanted.corrected_hz:12.0f}   {100 * expected.corrected:.3g} %",
+            f"corrected, 2 / n         {write_fixed(wanted.corrected_hz, 0):>12}   "
+            f"{100 * expected.corrected:.3g} %",
             f"u of the speed, registering and baseline: {plan.u_speed_mps:.4f} m/s",
             *(f"{_WORDS[one.quantity]:<13}{one.value:9.3f} {one.u:8.4f} (u)" for one in plan.values),
             *map(str, plan.words),
@@ -146,10 +149,10 @@ def _plan_text(planned: Plan) -> str:
     lines = ["target          height m  inset m            U95 mm  two frames mm  bias if inset ignored, mm"]
     for t in planned.targets:
         one_frame, two_frames = _mm(t.result.U95_height_m), _mm(t.two_frames.U95_height_m)
-        inset = f"{t.inset_m:.2f} (u = {t.u_inset_m:.2f})"
+        inset = f"{write_fixed(t.inset_m, 2)} (u = {write_fixed(t.u_inset_m, 2)})"
         lines.append(
-            f"{t.target:<16}{t.height_m:8.2f}  {inset}   {one_frame:>7}  {two_frames:>13}  "
-            f"{1000 * t.bias_if_ignored_m:+z.0f}"
+            f"{t.target:<16}{write_fixed(t.height_m, 2):>8}  {inset}   {one_frame:>7}  {two_frames:>13}  "
+            f"{float(write_fixed(1000 * t.bias_if_ignored_m, 0)):+z.0f}"
         )
     eye = next(t for t in planned.targets if t.target == "driver_eye")
     if eye.result.status == "ok" and eye.two_frames.reason is not None:
@@ -158,4 +161,4 @@ def _plan_text(planned: Plan) -> str:
 
 
 def _mm(metres: float | None) -> str:
-    return "-" if metres is None else f"{1000 * metres:.0f}"
+    return "-" if metres is None else write_fixed(1000 * metres, 0)

@@ -104,7 +104,7 @@ def _describe_calibration(
         f"correlation of both {calibration.correlation:z.3f}",
         f"{len(calibration.passes)} passes from {calibration.nearest_m:.2f} to "
         f"{calibration.farthest_m:.2f} m: chi-square "
-        f"{calibration.chi2:.1f} with {calibration.degrees_of_freedom} degrees of freedom, "
+        f"{calibration.chi2:.1f} (degrees of freedom: {calibration.degrees_of_freedom}), "
         f"chance {100 * calibration.p_value:.1f} %",
     ]
     lines += [_lane_text(one) for one in lanes]

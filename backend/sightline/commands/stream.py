@@ -93,6 +93,8 @@ def stream(
     """
     if cameras and (len(cameras) != 2 or follow or cameras[0] == cameras[1]):
         raise BadInput("commands-stream-two-cameras")
+    if until_idle is not None and follow is None:
+        raise BadInput("commands-idle-without-follow")
     name = ", ".join(cameras) or (str(follow.absolute()) if follow else STANDARD_INPUT)
     with until_told() as ending, keeping(survey, data_dir, rig, method, spool) as (keeper, folder):
 

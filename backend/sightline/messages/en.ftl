@@ -1219,8 +1219,14 @@ adjust-u-wheelbase-common = u common to all wheelbases ({ $unit })
 adjust-u-roof-common = u common to all roofs ({ $unit })
 adjust-u-problem = Enter a length from 0 to 1 m, for example { $example }.
 adjust-used = { $used } of { $passes } observations used.
-adjust-global-holds = Global test passed: chi-square { $chi2 } with { $freedom } degrees of freedom is below { $limit }.
-adjust-global-fails = Global test failed: chi-square { $chi2 } with { $freedom } degrees of freedom is above { $limit }. The stated uncertainties are not consistent.
+adjust-global-holds = Global test passed: chi-square { $chi2 } with { $freedom ->
+    [one] 1 degree
+   *[other] { NUMBER($freedom) } degrees
+ } of freedom is below { $limit }.
+adjust-global-fails = Global test failed: chi-square { $chi2 } with { $freedom ->
+    [one] 1 degree
+   *[other] { NUMBER($freedom) } degrees
+ } of freedom is above { $limit }. The stated uncertainties are not consistent.
 adjust-largest = Largest change of a stored height: { $largest }.
 adjust-adjusted = This pose was adjusted to the traffic. The previous pose is number { $pose }.
 adjust-put = Apply
@@ -2479,7 +2485,10 @@ scans-calibrate-lane = Baseline at the lane, { $distance }
 scans-calibrate-share = ({ $percent } % of every speed)
 scans-calibrate-baseline = Baseline at the cameras
 scans-calibrate-agree = Consistency of the passes
-scans-calibrate-chi2 = chi-square { $chi2 }, { $degrees } degrees of freedom: p = { $percent } %
+scans-calibrate-chi2 = chi-square { $chi2 }, { $degrees ->
+    [one] 1 degree
+   *[other] { NUMBER($degrees) } degrees
+ } of freedom: p = { $percent } %
 scans-calibrate-mrad = { $value } ± { $U95 } mrad
 scans-calibrate-passes = Passes and residuals
 scans-calibrate-span = Baseline there
@@ -2614,6 +2623,7 @@ scan-head-speed = Speed
 scan-head-acceleration = Acc.
 scan-head-length = Length
 scan-head-gap = Gap
+scan-head-distance-gap = Distance gap
 scan-head-headway = Headway
 scan-head-state = State
 scan-choose-vehicle = { $vehicle } <hidden>choose</hidden>
@@ -4885,6 +4895,7 @@ commands-output-folder-missing = { $output } cannot be written because its folde
 commands-time-no-offset = { $option } { $text } has no offset from UTC; write it with one, as in 2026-05-04T06:00:00.000+02:00.
 commands-time-cannot-read = { $option } { $text } is not a time that can be used; write it as 2026-05-04T06:00:00.000+02:00.
 commands-u-without-start = --u-start needs --start.
+commands-idle-without-follow = --until-idle needs --follow.
 commands-flow-other-minutes = --interval { $text } cannot be used; give one or more of 1, 5, 15 and 60, as in 5,60.
 commands-flow-not-there = { $place } does not exist; name a package, results of sightline linescan, or a folder of them.
 commands-flow-folder-empty = { $place } contains no scanned vehicles; name a package, results of sightline linescan, or a folder of them.
@@ -5203,7 +5214,10 @@ linescan-rig-few-passes = { NUMBER($count) } usable passes are too few for basel
 linescan-rig-distances-alike = All passes are between { $nearest_m } and { $farthest_m } m away, too close to separate the baseline from the divergence; add passes at another distance, for example in the near and the far lane.
 linescan-width-two-u = The board of { $width_m } m has two different uncertainties of its width; give the same in every row.
 linescan-distance-two-u = The distance of { $distance_m } m has two different uncertainties; give the same in every row of this position.
-linescan-rig-contradict = The passes contradict each other (chi-square { $chi2 } with { $degrees } degrees of freedom): pass { $name } differs from the others by { $residual_mm } mm, where { $expected_mm } mm (U95) was expected. Measure it again, leave it out, or state larger uncertainties.
+linescan-rig-contradict = The passes contradict each other (chi-square { $chi2 } with { $degrees ->
+    [one] 1 degree
+   *[other] { NUMBER($degrees) } degrees
+ } of freedom): pass { $name } differs from the others by { $residual_mm } mm, where { $expected_mm } mm (U95) was expected. Measure it again, leave it out, or state larger uncertainties.
 rig-passes-too-many = { $name } has more than { $most } rows; give the passes of one calibration alone.
 rig-passes-columns = { $name } lacks columns; give distance_m and all columns of one method: { $ways }.
 rig-passes-problem = { $path }: { $message }{ $left }
@@ -6906,6 +6920,7 @@ reference-changed-meanwhile = { $name } changed this reference value meanwhile; 
 reference-columns-missing = { $name } needs a column “number” (of the vehicle in its recording) or “time” (at which it passed) and one of speed_kmh, length_m, wheelbase_m or run_of; its first line must name the columns.
 reference-column-unit = The column “{ $column }” of { $name } does not state its unit; name it one of { $names }, with “u_” in front for the uncertainty.
 reference-columns-of-one = The columns “{ $first }” and “{ $second }” of { $name } state the same; leave one out.
+reference-no-rows = { $name } has a header and no line of reference values below it; add one.
 reference-no-line-used = No line of { $name } can be used; line { $line }: { $reason }
 reference-line-no-number = The vehicle number is “{ $number }”; give the whole number shown on the line scan page.
 reference-line-no-vehicle = This recording has no vehicle { $number }.
@@ -6972,8 +6987,8 @@ scan-motion-u-large = The U95 of the { $what ->
  } is { $percent } %, too large to be useful: too little of the vehicle is clear, the boundaries are wrong, or two vehicles pass at once.
 scan-motion-u-acceleration-large = The U95 of the acceleration is { $U95_mps2 } m/s², more than any vehicle’s braking: too little of the vehicle is clear, or the boundaries are wrong.
 scan-motion-no-order = The boundaries are not in order: the front must come before the rear at both cameras.
-scan-motion-no-texture = Too little of the vehicle is clear enough to be registered between the strips.
-scan-motion-no-match = The two images of the vehicle do not fit one motion: two vehicles side by side, a vehicle that stopped, or lost lines.
+scan-motion-no-texture = Too little of the vehicle is clear enough to be registered between the strips. Check the boundaries; if they are right, record with more contrast: focus, light or exposure.
+scan-motion-no-match = The two images of the vehicle do not fit one motion: two vehicles side by side, a vehicle that stopped, or lost lines. Check the boundaries at both cameras; if they are right, leave it unmeasured.
 scan-motion-few-lines = Only about { $lines } lines were recorded between the two cameras, too few for its speed or direction: raise the line rate, or set the cameras further apart.
 scan-motion-few-blocks = Too few blocks of { $lines } lines can be matched: the vehicle has too little detail, or too few lines; raise the line rate, or use the other method.
 scan-motion-not-converged = The registration of the two images stopped before it settled: speed, acceleration and length may be off by more than their uncertainties say. Check the boundaries in both images; if the warning stays, reject the vehicle.
@@ -6981,12 +6996,12 @@ scan-motion-cameras-disagree = The cameras disagree by { $apart_cm } cm about th
 scan-motion-saturated = Part of the image is saturated; reduce the exposure.
 scan-motion-stopped = The vehicle stopped or nearly stopped in view; mark another vehicle, or measure it by hand.
 scan-motion-stood = The vehicle stood in view for so long that its rear was not seen; measure it by hand.
-scan-motion-too-long-in-view = Something was in view for longer than a vehicle takes to pass: it stopped, or the light changed.
-scan-motion-cut = The vehicle is cut off by the beginning or the end of the recording.
+scan-motion-too-long-in-view = Something was in view for longer than a vehicle takes to pass: it stopped, or the light changed. Look at both strips: remove it if it is no vehicle, or place its boundaries by hand.
+scan-motion-cut = The vehicle is cut off by the beginning or the end of the recording. If both its ends are in the strips, place its boundaries by hand; begin and end recordings on an empty road.
 scan-motion-no-road = The empty road before the vehicle is too unsteady: snow, rain, or traffic from the first line on; start to record while the road is empty.
 scan-motion-too-long = Its estimated length is { $length_m } m, and the limit is { $most_m } m: a train, vehicles without a gap, or a wrong baseline or line rate.
 scan-motion-two-at-once = The cameras show it for different durations: two vehicles pass side by side, or it stopped.
-scan-motion-lines-lost = The recorder lost { $lost } while the vehicle passed.
+scan-motion-lines-lost = The recorder lost { $lost } while the vehicle passed. This passage cannot be measured; find out why the recorder loses lines before you record again.
 scan-lines-of-camera = { NUMBER($count) } lines of camera { $camera }
 words-both = { $first } and { $second }
 scan-motion-no-wheelbase = No wheelbase: { $reason }
@@ -7035,7 +7050,7 @@ rig-baseline-agrees = { NUMBER($count) } { $of ->
  } of known vehicles are off by { NUMBER($off_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % on average, within the U95 of this mean ({ NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %).
 scan-flow-no-speed = No vehicle here has an accepted speed.
 scan-flow-rear-unseen = The occupancy is not known: the rear of a vehicle that stood here was not seen.
-scan-flow-no-u-occupancy = The uncertainty of the occupancy is not known: { NUMBER($count) } of the vehicles here have no motion.
+scan-flow-no-u-occupancy = The uncertainty of the occupancy is not known: { NUMBER($count) } of the vehicles here have no accepted speed.
 stream-lines-lost = { NUMBER($count) } lines of camera { $camera } were lost and replaced by copies; vehicles that passed meanwhile are not measured.
 stream-vehicles-wait = { $message } { NUMBER($waiting) } vehicles wait to be stored in the survey.
 stream-recording-deleted = { $recording } was deleted while it was streamed: none of its vehicles are stored from now on, and both strips are deleted at its end.
@@ -7212,7 +7227,10 @@ adjustment-lengths-scatter = The known values of the { $length ->
     [roof] roof
    *[roof_inset] roof inset
  } scatter { NUMBER($factor, minimumFractionDigits: 1, maximumFractionDigits: 1) } times as much as stated; their uncertainties were multiplied by this factor.
-adjustment-global-test-failed = Global test failed: chi-square { $chi2 } with { $freedom } degrees of freedom; the stated uncertainties are not consistent.
+adjustment-global-test-failed = Global test failed: chi-square { $chi2 } with { $freedom ->
+    [one] 1 degree
+   *[other] { NUMBER($freedom) } degrees
+ } of freedom; the stated uncertainties are not consistent.
 adjustment-few-vehicles = With { NUMBER($count) } vehicles, a wrong vehicle cannot be distinguished from a wrong pose.
 adjustment-pose-unchanged = No pass with a known length could be used, so the pose is unchanged.
 adjustment-point-not-finite = A point or its uncertainty is not a finite number.
@@ -7264,7 +7282,10 @@ repeat-no-uncertainty = A height has no uncertainty.
 repeats-few-own = { $name } has { $pairs } own repeats; { $least } are needed.
 repeats-few-other-frame = Needs { $least } repeats on another frame, has { NUMBER($count) }.
 repeats-nothing-yet = No repeat measurements yet.
-repeats-few = Too few repeats: { $freedom } degrees of freedom, at least { $least } are needed.
+repeats-few = Too few repeats: { $freedom ->
+    [one] 1 degree
+   *[other] { NUMBER($freedom) } degrees
+ } of freedom, at least { $least } are needed.
 repeats-few-to-compare = Too few repeats to compare: { $freedom }, at least { $least } are needed.
 repeats-one-operator = No target was repeated by a second operator; ask another operator to repeat some.
 repeats-no-difference = No difference between operators can be detected; add repeats to narrow the estimate.

@@ -1217,8 +1217,14 @@ adjust-u-wheelbase-common = u commune à tous les empattements ({ $unit })
 adjust-u-roof-common = u commune à tous les toits ({ $unit })
 adjust-u-problem = Saisissez une longueur de 0 à 1 m, par exemple { $example }.
 adjust-used = Observations utilisées : { $used } sur { $passes }.
-adjust-global-holds = Le test global est satisfait : khi-deux { $chi2 } à { $freedom } degrés de liberté, sous la limite { $limit }.
-adjust-global-fails = Le test global échoue : khi-deux { $chi2 } à { $freedom } degrés de liberté, au-dessus de la limite { $limit } ; les incertitudes indiquées ne sont pas compatibles entre elles.
+adjust-global-holds = Le test global est satisfait : khi-deux { $chi2 } à { $freedom ->
+    [one] { NUMBER($freedom) } degré
+   *[other] { NUMBER($freedom) } degrés
+ } de liberté, sous la limite { $limit }.
+adjust-global-fails = Le test global échoue : khi-deux { $chi2 } à { $freedom ->
+    [one] { NUMBER($freedom) } degré
+   *[other] { NUMBER($freedom) } degrés
+ } de liberté, au-dessus de la limite { $limit } ; les incertitudes indiquées ne sont pas compatibles entre elles.
 adjust-largest = Plus grande variation d’une hauteur enregistrée : { $largest }.
 adjust-adjusted = Cette pose a été ajustée sur le trafic. La pose précédente est le numéro { $pose }.
 adjust-put = Appliquer
@@ -2487,7 +2493,10 @@ scans-calibrate-lane = Base à la voie, { $distance }
 scans-calibrate-share = ({ $percent } % de chaque vitesse)
 scans-calibrate-baseline = Base aux caméras
 scans-calibrate-agree = Cohérence des passages
-scans-calibrate-chi2 = khi-deux { $chi2 }, { $degrees } degrés de liberté : p = { $percent } %
+scans-calibrate-chi2 = khi-deux { $chi2 }, { $degrees ->
+    [one] { NUMBER($degrees) } degré
+   *[other] { NUMBER($degrees) } degrés
+ } de liberté : p = { $percent } %
 scans-calibrate-mrad = { $value } ± { $U95 } mrad
 scans-calibrate-passes = Passages et résidus
 scans-calibrate-span = Base à cette distance
@@ -2622,6 +2631,7 @@ scan-head-speed = Vitesse
 scan-head-acceleration = Acc.
 scan-head-length = Longueur
 scan-head-gap = Intervalle
+scan-head-distance-gap = Distance
 scan-head-headway = TIV
 scan-head-state = État
 scan-choose-vehicle = { $vehicle } <hidden>choisir</hidden>
@@ -4888,6 +4898,7 @@ commands-output-folder-missing = Impossible d’écrire { $output } : son dossi
 commands-time-no-offset = { $option } { $text } n’a pas de décalage par rapport à UTC ; écrivez-le avec, comme 2026-05-04T06:00:00.000+02:00.
 commands-time-cannot-read = { $option } { $text } n’est pas une heure utilisable ; écrivez-la 2026-05-04T06:00:00.000+02:00.
 commands-u-without-start = --u-start demande --start.
+commands-idle-without-follow = --until-idle demande --follow.
 commands-flow-other-minutes = --interval { $text } est inutilisable ; indiquez une ou plusieurs valeurs parmi 1, 5, 15 et 60, comme 5,60.
 commands-flow-not-there = { $place } n’existe pas ; indiquez une archive, des résultats de sightline linescan ou un dossier qui en contient.
 commands-flow-folder-empty = { $place } ne contient aucun véhicule balayé ; indiquez une archive, des résultats de sightline linescan ou un dossier qui en contient.
@@ -5247,7 +5258,10 @@ linescan-rig-few-passes = { NUMBER($count) } passages utilisables ne suffisent p
 linescan-rig-distances-alike = Tous les passages sont entre { $nearest_m } et { $farthest_m } m, trop proches pour séparer la base de la divergence ; ajoutez des passages à une autre distance, comme la voie proche et la voie éloignée.
 linescan-width-two-u = Le panneau de { $width_m } m a deux incertitudes de largeur différentes ; donnez la même à chaque ligne.
 linescan-distance-two-u = La distance de { $distance_m } m a deux incertitudes différentes ; donnez la même à chaque ligne de cette position.
-linescan-rig-contradict = Les passages se contredisent (khi-deux { $chi2 } pour { $degrees } degrés de liberté) : le passage { $name } s’écarte des autres de { $residual_mm } mm là où { $expected_mm } mm (U95) étaient attendus. Mesurez-le à nouveau, écartez-le, ou donnez des incertitudes plus grandes.
+linescan-rig-contradict = Les passages se contredisent (khi-deux { $chi2 } pour { $degrees ->
+    [one] { NUMBER($degrees) } degré
+   *[other] { NUMBER($degrees) } degrés
+ } de liberté) : le passage { $name } s’écarte des autres de { $residual_mm } mm là où { $expected_mm } mm (U95) étaient attendus. Mesurez-le à nouveau, écartez-le, ou donnez des incertitudes plus grandes.
 rig-passes-too-many = { $name } a plus de { $most } lignes ; donnez les seuls passages d’un étalonnage.
 rig-passes-columns = Il manque des colonnes à { $name } ; donnez distance_m et toutes les colonnes d’une même méthode : { $ways }.
 rig-passes-problem = { $path } : { $message }{ $left }
@@ -6981,6 +6995,7 @@ reference-changed-meanwhile = { $name } a modifié cette valeur de référence e
 reference-columns-missing = { $name } demande une colonne « number » (numéro du véhicule dans son enregistrement) ou « time » (heure de son passage) et l’une de speed_kmh, length_m, wheelbase_m ou run_of ; sa première ligne nomme les colonnes.
 reference-column-unit = La colonne « { $column } » de { $name } n’indique pas son unité ; donnez-lui l’un de ces noms : { $names }, précédée de « u_ » pour l’incertitude.
 reference-columns-of-one = Les colonnes « { $first } » et « { $second } » de { $name } indiquent la même chose ; retirez-en une.
+reference-no-rows = { $name } a un en-tête et aucune ligne de valeurs de référence en dessous ; ajoutez-en une.
 reference-no-line-used = Aucune ligne de { $name } n’est utilisable ; ligne { $line } : { $reason }
 reference-line-no-number = Le numéro du véhicule est « { $number } » ; indiquez le nombre entier affiché sur la page du balayage.
 reference-line-no-vehicle = Cet enregistrement n’a pas de véhicule { $number }.
@@ -7048,8 +7063,8 @@ scan-motion-u-large = L’U95 de la { $what ->
  } est de { $percent } %, trop pour être utile : trop peu du véhicule est net, les bornes sont fausses, ou deux véhicules passent à la fois.
 scan-motion-u-acceleration-large = L’U95 de l’accélération est de { $U95_mps2 } m/s², plus que ne freine aucun véhicule : trop peu du véhicule est net, ou les bornes sont fausses.
 scan-motion-no-order = Les bornes ne sont pas dans l’ordre : l’avant doit précéder l’arrière devant les deux caméras.
-scan-motion-no-texture = Trop peu du véhicule est assez net pour être recalé d’une bande à l’autre.
-scan-motion-no-match = Les deux images du véhicule ne suivent pas un même mouvement : deux véhicules côte à côte, un véhicule arrêté ou des lignes perdues.
+scan-motion-no-texture = Trop peu du véhicule est assez net pour être recalé d’une bande à l’autre. Contrôlez les bornes ; si elles sont justes, enregistrez avec plus de contraste : mise au point, lumière ou exposition.
+scan-motion-no-match = Les deux images du véhicule ne suivent pas un même mouvement : deux véhicules côte à côte, un véhicule arrêté ou des lignes perdues. Contrôlez les bornes aux deux caméras ; si elles sont justes, laissez-le non mesuré.
 scan-motion-few-lines = Environ { $lines } lignes seulement ont été enregistrées entre les deux caméras, trop peu pour la vitesse ou le sens : augmentez la cadence, ou écartez les caméras.
 scan-motion-few-blocks = Trop peu de blocs de { $lines } lignes peuvent être appariés : le véhicule présente trop peu de détails, ou trop peu de lignes ; augmentez la cadence de lignes, ou utilisez l’autre méthode.
 scan-motion-not-converged = Le recalage des deux images s’est arrêté avant de se stabiliser : la vitesse, l’accélération et la longueur peuvent être fausses de plus que leurs incertitudes ne le disent. Contrôlez les bornes dans les deux images ; si l’avertissement demeure, rejetez le véhicule.
@@ -7057,12 +7072,12 @@ scan-motion-cameras-disagree = Les caméras diffèrent de { $apart_cm } cm sur l
 scan-motion-saturated = Une partie de l’image est saturée ; réduisez l’exposition.
 scan-motion-stopped = Le véhicule s’est arrêté ou presque devant les caméras ; marquez-en un autre, ou mesurez-le à la main.
 scan-motion-stood = Le véhicule est resté arrêté en vue si longtemps que son arrière n’a pas été vu ; mesurez-le à la main.
-scan-motion-too-long-in-view = Quelque chose est resté en vue plus longtemps qu’un passage ; arrêt, ou changement de lumière.
-scan-motion-cut = Le véhicule est coupé par le début ou la fin de l’enregistrement.
+scan-motion-too-long-in-view = Quelque chose est resté en vue plus longtemps qu’un passage ; arrêt, ou changement de lumière. Regardez les deux bandes : retirez-le si ce n’est pas un véhicule, ou placez ses bornes à la main.
+scan-motion-cut = Le véhicule est coupé par le début ou la fin de l’enregistrement. Si ses deux extrémités sont sur les bandes, placez ses bornes à la main ; commencez et terminez les enregistrements sur une chaussée vide.
 scan-motion-no-road = La chaussée vide avant le véhicule est trop instable : neige, pluie, ou trafic dès la première ligne ; commencez l’enregistrement quand la chaussée est vide.
 scan-motion-too-long = Sa longueur estimée est de { $length_m } m, et la limite de { $most_m } m : un train, des véhicules sans intervalle, ou une base ou une cadence fausse.
 scan-motion-two-at-once = Les caméras le montrent pendant des durées différentes : deux véhicules côte à côte, ou un arrêt.
-scan-motion-lines-lost = L’enregistreur a perdu { $lost } pendant le passage du véhicule.
+scan-motion-lines-lost = L’enregistreur a perdu { $lost } pendant le passage du véhicule. Ce passage n’est pas mesurable ; cherchez pourquoi l’enregistreur perd des lignes avant d’enregistrer à nouveau.
 scan-lines-of-camera = { NUMBER($count) } lignes de la caméra { $camera }
 words-both = { $first } et { $second }
 scan-motion-no-wheelbase = Pas d’empattement : { $reason }
@@ -7102,7 +7117,7 @@ rig-baseline-agrees = { NUMBER($count) } { $of ->
  } de véhicules connus s’écartent en moyenne de { NUMBER($off_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % de leur valeur, dans l’U95 de cette moyenne ({ NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %).
 scan-flow-no-speed = Aucun véhicule n’a ici de vitesse validée.
 scan-flow-rear-unseen = Le taux d’occupation n’est pas connu : l’arrière d’un véhicule arrêté ici n’a pas été vu.
-scan-flow-no-u-occupancy = L’incertitude du taux d’occupation n’est pas connue : { NUMBER($count) } des véhicules n’ont pas de mouvement.
+scan-flow-no-u-occupancy = L’incertitude du taux d’occupation n’est pas connue : { NUMBER($count) } des véhicules n’ont pas de vitesse validée.
 stream-lines-lost = { NUMBER($count) } lignes de la caméra { $camera } ont été perdues et remplacées par des copies ; les véhicules passés pendant ce temps ne sont pas mesurés.
 stream-vehicles-wait = { $message } { NUMBER($waiting) } véhicules attendent d’être enregistrés dans le relevé.
 stream-recording-deleted = { $recording } a été supprimé pendant le flux : plus aucun de ses véhicules n’est enregistré, et ses deux bandes sont supprimées à sa fin.
@@ -7279,7 +7294,10 @@ adjustment-lengths-scatter = Les valeurs connues ({ $length ->
     [roof] hauteur du toit
    *[roof_inset] retrait du toit
  }) se dispersent { NUMBER($factor, minimumFractionDigits: 1, maximumFractionDigits: 1) } fois plus qu’indiqué ; leurs incertitudes ont été multipliées par ce facteur.
-adjustment-global-test-failed = Le test global échoue : khi-deux { $chi2 } pour { $freedom } degrés de liberté ; les incertitudes indiquées ne sont pas compatibles entre elles.
+adjustment-global-test-failed = Le test global échoue : khi-deux { $chi2 } pour { $freedom ->
+    [one] { NUMBER($freedom) } degré
+   *[other] { NUMBER($freedom) } degrés
+ } de liberté ; les incertitudes indiquées ne sont pas compatibles entre elles.
 adjustment-few-vehicles = Avec { NUMBER($count) } véhicules, un véhicule erroné ne se distingue pas d’une pose erronée.
 adjustment-pose-unchanged = Aucun passage de longueur connue n’a pu servir ; la pose est inchangée.
 adjustment-point-not-finite = Un point ou son incertitude n’est pas un nombre fini.
@@ -7331,7 +7349,10 @@ repeat-no-uncertainty = Une hauteur est sans incertitude.
 repeats-few-own = Répétitions propres de { $name } : { $pairs } ; il en faut { $least }.
 repeats-few-other-frame = Il faut { $least } répétitions sur une autre image ; il y en a { NUMBER($count) }.
 repeats-nothing-yet = Pas encore de mesures répétées.
-repeats-few = Trop peu de répétitions : { $freedom } degrés de liberté, il en faut au moins { $least }.
+repeats-few = Trop peu de répétitions : { $freedom ->
+    [one] { NUMBER($freedom) } degré
+   *[other] { NUMBER($freedom) } degrés
+ } de liberté, il en faut au moins { $least }.
 repeats-few-to-compare = Trop peu de répétitions à comparer : { $freedom }, il en faut au moins { $least }.
 repeats-one-operator = Aucune cible n’a été répétée par un second opérateur ; demandez à un autre opérateur d’en répéter.
 repeats-no-difference = Aucune différence entre opérateurs n’est détectable ; davantage de répétitions préciseraient l’estimation.

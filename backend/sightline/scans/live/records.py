@@ -9,7 +9,7 @@ from sightline.enums import LiveState, MeasurementStatus, ScanDirection
 from sightline.linescan.passing import Vehicle
 from sightline.messages.said import Said
 
-#: What a stream without a file or cameras is called where it is stored.
+#: What a stream without a file or cameras is called in its journal.
 STANDARD_INPUT = "standard input"
 
 

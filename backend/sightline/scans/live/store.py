@@ -19,7 +19,8 @@ def add_live_scan(
     session: Session, survey_id: int, scan_id: int, segment: SegmentFacts, line_rate_hz: float
 ) -> None:
     """A recording that a stream has begun."""
-    place = {"survey_id": survey_id, "scan_id": scan_id, "stream": segment.stream, "source": segment.source}
+    source = None if segment.source == STANDARD_INPUT else segment.source
+    place = {"survey_id": survey_id, "scan_id": scan_id, "stream": segment.stream, "source": source}
     times = {"line_rate_hz": line_rate_hz, "began_at": segment.began_at, "heard_at": now()}
     add_row(session, scan_live, place | times)
 
@@ -97,7 +98,6 @@ def _live_scan(row: JsonObject) -> LiveScan:
     if health is not None:
         words = tuple(Said.read(one) for one in health["words"])
         health = LiveHealth(**{**health, **{name: tuple(health[name]) for name in pairs}, "words": words})
-    apart = ("ready", "health", "source")
+    apart = ("ready", "health")
     told = {one.name: row[one.name] for one in fields(LiveScan) if one.name not in apart}
-    source = None if row["source"] == STANDARD_INPUT else row["source"]
-    return LiveScan(**told, source=source, ready=row["state"] == "ready", health=health)
+    return LiveScan(**told, ready=row["state"] == "ready", health=health)

@@ -11,7 +11,8 @@ scan_live = numbered_table(
     Column("scan_id", ForeignKey("scans.id"), nullable=False),
     # the recordings of one stream have the same sign
     Column("stream", String(40), nullable=False),
-    Column("source", Text, nullable=False),
+    # the file or the cameras; none of a pipe
+    Column("source", Text),
     # by which its lines were counted; the scan's may be corrected later
     Column("line_rate_hz", Float, nullable=False),
     # when line 0 was taken, by the computer's clock

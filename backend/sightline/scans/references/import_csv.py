@@ -27,14 +27,15 @@ from sightline.messages.said import Said
 from sightline.scans.records import Scan, ScanVehicle
 from sightline.scans.references.passing_times import USUAL_TOLERANCE_S, Ambiguous, Matching, PassedAt
 from sightline.scans.references.records import (
+    MEASURED,
     ReferencePlan,
     ReferenceRow,
     ReferencesImported,
     ReferenceValues,
     StoredReference,
+    Unit,
     require_reference,
 )
-from sightline.scans.references.service import beside_ours
 from sightline.scans.references.store import append_scan_reference, reference_history_of_scan
 from sightline.scans.store import get_scan
 from sightline.scans.vehicles.listing import ShownVehicle, vehicles_of
@@ -47,9 +48,12 @@ _ALSO = {
     **{"vehicle": "number", "vehicle_number": "number", "car": "run_of", "instrument": "device"},
     **{"time_of_day": "time", "passed_at": "time", "timestamp": "time", "filmed_at": "time"},
 }
-_SPEEDS = {"mps": 1.0, "m_s": 1.0, "kmh": 1 / 3.6, "km_h": 1 / 3.6, "mph": 0.44704}
-_LENGTHS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "ft": 0.3048}
-_IN: dict[ReferenceQuantity, dict[str, float]] = {
+_MPS, _KMH = Unit("m/s", 1.0), Unit("km/h", 1 / 3.6)
+_SPEEDS = {"mps": _MPS, "m_s": _MPS, "kmh": _KMH, "km_h": _KMH, "mph": Unit("mph", 0.44704)}
+_LENGTHS = {
+    one.name: one for one in (Unit("m", 1.0), Unit("cm", 0.01), Unit("mm", 0.001), Unit("ft", 0.3048))
+}
+_IN: dict[ReferenceQuantity, dict[str, Unit]] = {
     "speed": _SPEEDS,
     "length": _LENGTHS,
     "wheelbase": _LENGTHS,
@@ -58,8 +62,8 @@ _QUANTITY = re.compile(rf"^(u_|u95_)?({'|'.join(get_args(ReferenceQuantity))})(?
 _ORDER: dict[ReferenceChange, int] = {"ambiguous": 0, "refused": 1, "replaces": 2, "new": 3, "same": 4}
 #: (vehicle, quantity, source)
 _Key = tuple[int, ReferenceQuantity, ReferenceSource]
-#: What a column holds: a text by name, or (quantity, whether it is its u, its unit in m/s or m).
-_Field = str | tuple[ReferenceQuantity, bool, float]
+#: What a column holds: a text by name, or (quantity, whether it is its u, its unit).
+_Field = str | tuple[ReferenceQuantity, bool, Unit]
 
 
 _FEW = 3  # lines whose times say how far a file's clock is off
@@ -159,14 +163,14 @@ def _unit_notes(lines: Sequence[_Line]) -> Iterator[Said]:
     times: dict[ReferenceQuantity, list[float]] = {}
     for line in lines:
         measured = None if line.vehicle is None else line.vehicle.measurement
-        if measured is None or line.row.change not in ("new", "replaces"):
+        if measured is None or measured.values.status != "ok" or line.row.change not in ("new", "replaces"):
             continue
         for given in line.row.given:
-            if (beside := beside_ours(measured.values, given)) is not None:
-                ours = given.value + beside.difference
+            ours = getattr(measured.values, MEASURED[given.quantity])
+            if ours:
                 times.setdefault(given.quantity, []).append(given.value / ours)
     for quantity, several in times.items():
-        units = set(_IN[quantity].values())
+        units = {one.si for one in _IN[quantity].values()}
         for ratio in sorted({first / second for first in units for second in units if first != second}):
             alike = sum(abs(one / ratio - 1) < _LIKE_UNITS for one in several)
             if alike >= max(_FEW, len(several) // 2 + 1):
@@ -202,6 +206,8 @@ def _lines(
     scan = get_scan(session, scan_id)
     table = read_table(data, name, MOST_BYTES)
     fields = _fields(table.header, name)
+    if not table.rows:
+        raise BadInput("reference-no-rows", name=name)
     found = vehicles_of(session, scan_id)
     vehicles = {one.vehicle.number: one.vehicle for one in found}
     matching = _matching(scan, found, name, tolerance_s) if "time" in fields else None
@@ -377,9 +383,9 @@ def _values(
     for column, field, cell in zip(table.header, fields, row.cells, strict=True):
         if isinstance(field, tuple) and cell.strip():
             quantity, is_u, unit = field
-            in_m = field in (("length", False, 1.0), ("wheelbase", False, 1.0))
-            read = table.size_m if in_m else table.number
-            numbers[quantity, is_u] = round(read(row.line, column, cell.strip()) * unit, 9)
+            read = table.size_m if unit.name == "m" and not is_u else table.number
+            numbers[quantity, is_u] = round(read(row.line, column, cell.strip()) * unit.si, 9)
+    units = {field[0]: field[2] for field in fields if isinstance(field, tuple) and not field[1]}
     source = named.get("source", "").lower()[:40]
     values = []
     for quantity in get_args(ReferenceQuantity):
@@ -395,7 +401,7 @@ def _values(
             raise BadInput("reference-line-no-source", source=source or "–", known=known)
         device = strip_formula_apostrophe(named.get("device", "")) or None
         one = ReferenceValues(quantity, cast(ReferenceSource, source), value=value, u=u, device=device)
-        require_reference(one)
+        require_reference(one, units[quantity])
         values.append(one)
     return tuple(values)
 

@@ -25,6 +25,14 @@ MOST_DEVICE = 200
 
 
 @dataclass(frozen=True, slots=True)
+class Unit:
+    """A unit by its name; `si`: how many m/s or metres it is."""
+
+    name: str
+    si: float
+
+
+@dataclass(frozen=True, slots=True)
 class ReferenceValues:
     """One value in m/s or m with its standard uncertainty (k = 1); `device`: which radar, whose tape."""
 
@@ -106,25 +114,28 @@ class ReferencesImported:
     plan: ReferencePlan
 
 
-def require_reference(reference: ReferenceValues) -> None:
-    """Raise BadInput for a value that no vehicle has, or one without an uncertainty."""
-    unit = UNITS[reference.quantity]
+def require_reference(reference: ReferenceValues, given_in: Unit | None = None) -> None:
+    """Raise BadInput for a value that no vehicle has, or one without an uncertainty, in the unit in which it
+    was given.
+    """
+    unit = given_in or Unit(UNITS[reference.quantity], 1.0)
+    value = f"{reference.value / unit.si:.7g}"
     if not _LEAST[reference.quantity] < reference.value <= _MOST[reference.quantity]:
         raise BadInput(
             "reference-value-cannot-be",
             quantity=reference.quantity,
-            value=f"{reference.value:.7g}",
-            unit=unit,
-            least=f"{_LEAST[reference.quantity]:g}",
-            most=f"{_MOST[reference.quantity]:g}",
+            value=value,
+            unit=unit.name,
+            least=f"{_LEAST[reference.quantity] / unit.si:g}",
+            most=f"{_MOST[reference.quantity] / unit.si:g}",
         )
     if not 0 < reference.u <= reference.value:
         raise BadInput(
             "reference-u-cannot-be",
             quantity=reference.quantity,
-            u=f"{reference.u:.7g}",
-            value=f"{reference.value:.7g}",
-            unit=unit,
+            u=f"{reference.u / unit.si:.7g}",
+            value=value,
+            unit=unit.name,
         )
     if reference.device is not None and len(reference.device) > MOST_DEVICE:
         raise BadInput("reference-device-too-long", most=MOST_DEVICE)

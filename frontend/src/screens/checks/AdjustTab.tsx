@@ -22,7 +22,6 @@ import { toast } from "../../core/toasts";
 import type { Job, PoseAdjustment } from "../../core/types";
 import {
   fixed,
-  formatCount,
   formatHeight,
   formatLength,
   formatSmall,
@@ -191,7 +190,7 @@ function inWords(found: PoseAdjustment): string {
     const holds = found.chi2 <= found.chi2_limit;
     const values = {
       chi2: fixed(found.chi2, 1),
-      freedom: formatCount(found.degrees_of_freedom),
+      freedom: found.degrees_of_freedom,
       limit: fixed(found.chi2_limit, 1),
     };
     words.push(holds ? say("adjust-global-holds", values) : say("adjust-global-fails", values));

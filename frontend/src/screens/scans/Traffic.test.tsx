@@ -54,6 +54,39 @@ it("draws plots from three intervals on, and says how long a scan is wanted wher
   vi.unstubAllGlobals();
 });
 
+it("says that a figure's uncertainty is not known, with why in the title of its row", async () => {
+  await learn("scans");
+  const none = { value: null, u: null };
+  const scan = {
+    name: "Hill",
+    direction: "camera_1_first",
+    lane: null,
+    unplaced: 0,
+    intervals: [
+      {
+        begins_at: "2026-05-03T08:00:00.000+02:00",
+        vehicles: 1,
+        refused: 1,
+        flow_per_hour: 60,
+        flow_low: 1,
+        flow_high: 300,
+        space_mean_speed_mps: none,
+        density_per_km: none,
+        occupancy_percent: { value: 2.5, u: null },
+        percentiles: [],
+        reasons: [{ code: "scan-flow-no-u-occupancy", values: { count: 1 }, message: "Not known." }],
+      },
+    ],
+  };
+  const of = { minutes: 5, length_limits_m: [5] } as unknown as TrafficOfScans;
+  render(<OfScan scan={scan as unknown as ScanTraffic} of={of} surveyId={1} />, document.body);
+  const row = document.querySelector("tbody tr");
+  const cells = [...(row?.querySelectorAll("td") ?? [])].map((cell) => cell.textContent);
+  expect(cells.slice(3)).toEqual(["–", "2.50u\u00a0=\u00a0–", "–"]);
+  expect(row?.getAttribute("title")).toContain("known");
+  render(null, document.body);
+});
+
 it("an interval after midnight is told with its day, under the day of the first", () => {
   const first = "2026-05-03T23:55:00.000+02:00";
   expect(beganWords(first, first)).toBe("23:55:00");

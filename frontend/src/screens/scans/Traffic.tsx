@@ -285,7 +285,9 @@ function Measured({ figure, by }: { figure: TrafficFigure; by: number }) {
   return (
     <>
       {figure.value === null ? "–" : fixed(figure.value * by, 2)}
-      {figure.u !== null && <Small>{say("flows-u", { u: twoDigits(figure.u * by) })}</Small>}
+      {figure.value !== null && (
+        <Small>{say("flows-u", { u: figure.u === null ? "–" : twoDigits(figure.u * by) })}</Small>
+      )}
     </>
   );
 }

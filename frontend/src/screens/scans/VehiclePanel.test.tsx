@@ -1,8 +1,8 @@
 import { render } from "preact";
 import { expect, it } from "vitest";
 import { Facts } from "../../components";
-import type { ScanVehicle } from "../../core/types";
-import { gapFacts, misalignmentWords } from "./VehiclePanel";
+import type { ScanMotion, ScanVehicle } from "../../core/types";
+import { byWords, gapFacts, misalignmentWords } from "./VehiclePanel";
 
 it("tells a known headway where the time gap is missing, and why that is", () => {
   const reason = { code: "rear-unknown", values: {}, message: "the rear is not known" };
@@ -27,4 +27,9 @@ it("shows both gaps with half their 95 % interval", () => {
 
 it("tells a small uncertainty of the misalignment, which is not nought", () => {
   expect(misalignmentWords(0.6, 0.0012)).toMatch(/0\.60\spx.*u\s=\s0\.0012\spx/);
+});
+
+it("tells a small standard deviation of the blocks, which is not nought", () => {
+  const motion = { method: "direct", placed_by_person: false, fit_error_percent: 0.0034 };
+  expect(byWords(motion as unknown as ScanMotion)).toMatch(/blocks 0\.0034\s%/);
 });

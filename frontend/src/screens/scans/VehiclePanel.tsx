@@ -142,12 +142,7 @@ function Numbers({ m, vehicle, lanes }: { m: ScanMotion; vehicle: ScanVehicle; l
             "scan-lane",
           ],
           ...gapFacts(vehicle.gap),
-          [
-            say("scan-by"),
-            m.fit_error_percent === null
-              ? causeWords(m)
-              : say("scan-cause-scatter", { cause: causeWords(m), percent: fixed(m.fit_error_percent, 2) }),
-          ],
+          [say("scan-by"), byWords(m)],
           m.misalignment_px !== null && [
             say("scan-misalignment"),
             misalignmentWords(m.misalignment_px, m.u_misalignment_px),
@@ -213,6 +208,12 @@ function DistanceGap({ gap }: { gap: NonNullable<ScanVehicle["gap"]> }) {
       values={{ gap: words ?? "", paper_gap: formatLength(gap.paper_distance_gap_m, 2) }}
     />
   );
+}
+
+export function byWords(m: ScanMotion): string {
+  const cause = causeWords(m);
+  if (m.fit_error_percent === null) return cause;
+  return say("scan-cause-scatter", { cause, percent: significant(m.fit_error_percent) });
 }
 
 export function misalignmentWords(value: number, u: number | null): string {

@@ -28,7 +28,7 @@ export function VehicleTable({ model }: { model: ScanModel }) {
             <th class="num">{withUnit(say("scan-head-acceleration"), units.acceleration)}</th>
             <th class="num">{withUnit(say("scan-head-length"), units.length)}</th>
             <th class="num">{withUnit(say("scan-head-gap"), "s")}</th>
-            <th class="num">{withUnit(say("scan-head-gap"), units.length)}</th>
+            <th class="num">{withUnit(say("scan-head-distance-gap"), units.length)}</th>
             {/* there is room for one of the two; the headway stands in the panel */}
             {lanes ? (
               <th>{say("scan-lane")}</th>
@@ -101,12 +101,11 @@ function Row({ vehicle, model, lanes }: { vehicle: ScanVehicle; model: ScanModel
         <td class="num">{gap?.headway_s == null ? "–" : fixed(gap.headway_s, 2)}</td>
       )}
       <td class="nowrap">
-        <StateMark state={stateOf(vehicle)} />{" "}
+        <StateMark state={stateOf(vehicle)} />
         {waiting > 0 && (
-          <span class="mark">
-            <StateMark state="to_review" word={say("scan-heights-waiting", { count: waiting })} hideWord />
-            {waiting}
-          </span>
+          <p class="small">
+            <StateMark state="to_review" word={say("scan-heights-waiting", { count: waiting })} />
+          </p>
         )}
       </td>
     </tr>

@@ -342,6 +342,20 @@ describe("judging vehicles of a line scan", () => {
     expect(model.vehicles.value[1]?.measurement?.review).toMatchObject({ verdict, reviewer: OTHER });
   });
 
+  it("shows another's verdict as soon as it is taken in a conflict", async () => {
+    server.down = true;
+    await model.judging.review("accepted");
+    change(2, { review: { ...REVIEW, verdict: "rejected", reviewer: OTHER, at: "2026-11-30T11:00:00Z" } });
+    server.down = false;
+    tryAgainNow();
+    await quiet();
+    const reviewOf2 = () => model.vehicles.value[1]?.measurement?.review;
+    expect(reviewOf2()).toMatchObject({ verdict: "to_review" });
+    outbox.resolve("scan-verdict.102", "theirs");
+    expect(reviewOf2()).toMatchObject({ verdict: "rejected", reviewer: OTHER });
+    expect(verdicts).toEqual([]);
+  });
+
   it("does not give another person's verdict again that was reopened, and says what to do", async () => {
     model.choose(1);
     await model.judging.review("reopened");

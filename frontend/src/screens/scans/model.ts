@@ -4,7 +4,7 @@ import { asked, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { type ChangeSet, History, type Ledger } from "../../core/history";
 import { say } from "../../core/messages";
-import { outbox } from "../../core/outbox";
+import { outbox, type Wish } from "../../core/outbox";
 import { may } from "../../core/session";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Scan, ScanVehicle, ScanVehicleDetail } from "../../core/types";
@@ -83,6 +83,10 @@ export class ScanModel implements Strips {
     outbox.listen(SCANNED, (wish: ScannedWish) => {
       const noted = wish.about.scanId === this.id && this.scanned.follow(wish);
       if (noted && wish.state === "saved" && !this.busy.value) void this.reread();
+    }),
+    // another's verdict that was taken in a conflict
+    outbox.listen(SCAN_VERDICT, ({ state, lane, theirs }: Wish<ScanVehicle>) => {
+      if (state === "dropped" && theirs && lane === this.lane) this.scanned.follow({ saved: theirs });
     }),
     // what an earlier page left, or what was kept without a connection, has come through
     ...[ADDED, SCAN_VERDICT, ROD].map((kind) =>

@@ -137,7 +137,7 @@ export class ScannedVehicles {
   }
 
   /** What the outbox has brought to the server, at once in the list; whether it has brought anything. */
-  follow({ saved }: ScannedWish): boolean {
+  follow({ saved }: Pick<ScannedWish, "saved">): boolean {
     if (!saved) return false;
     this.note([saved]);
     const others = this.stored.value.filter((one) => one.id !== saved.id);
