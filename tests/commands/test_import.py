@@ -20,8 +20,8 @@ import pytest
 
 from sightline.cli import main
 from sightline.commands import remote
-from sightline.commands.remote import Away, Remote
-from sightline.errors import BadInput
+from sightline.commands.remote import Remote
+from sightline.errors import Away, BadInput
 from sightline.media.video.writer import write_mp4
 from tests.commands.running import Server, environment
 from tests.media.clips import painted
@@ -132,9 +132,9 @@ def test_only_ones_own_upload_goes_on(tmp_path: Path, monkeypatch: pytest.Monkey
     under_way = [{**same, "id": 1, "mine": False}]
     monkeypatch.setattr(Remote, "ask", lambda *_: under_way)
     with Remote("http://localhost", "t") as server:
-        assert server._begun(1, film) is None
+        assert server.begun(1, film) is None
         under_way.append({**same, "id": 2, "mine": True})
-        assert server._begun(1, film) == "/uploads/2"
+        assert server.begun(1, film) == "/uploads/2"
 
 
 @pytest.mark.parametrize(

@@ -157,7 +157,7 @@ class Remote:
             answer = self._pool.request(method, address, body=body, headers=sent, timeout=timeout)
         except HTTPError as error:
             raise Away("import-no-answer", url=self.url) from error
-        if answer.status >= 400:
+        if answer.status >= 300:
             raise _error_of(answer, self.url)
         return answer
 

@@ -33,7 +33,7 @@ class RemoteSink:
     def segments(self, segment: SegmentFacts) -> Sequence[LiveSegment]:
         of = urlencode({"stream": segment.stream, "began_at": segment.began_at.isoformat()})
         asked = self._remote.ask(f"/surveys/{self._survey_id}/live/segments?{of}")
-        return [LiveSegment(one["scan_id"], one["ended"], one["deleted"]) for one in asked]
+        return [LiveSegment(**one) for one in asked]
 
     def begin(self, segment: SegmentFacts, others: Collection[int]) -> int:
         facts = {"stream": segment.stream, "source": segment.source, "others": list(others)}
@@ -54,10 +54,10 @@ class RemoteSink:
         self._remote.write(f"/scans/{scan_id}/live/end", body)
 
     def let_go(self, strips: Sequence[SpooledStrip]) -> None:
-        for one in strips:
-            if (arrived := self._arrived(one)) is not None:
+        for strip in strips:
+            if (arrived := self._arrived(strip)) is not None:
                 self._remote.give_up(f"/uploads/{arrived}")
-            if (begun := self._remote.begun(self._survey_id, one.path, "strip")) is not None:
+            if (begun := self._remote.begun(self._survey_id, strip.path, "strip")) is not None:
                 self._remote.give_up(begun)
 
     def _upload(self, strip: SpooledStrip) -> int:

@@ -295,8 +295,11 @@ class SurveyKeeper(Keeper):
             with suppress(SightlineError):
                 deleted = self._deleted(recording)
             recording.row, recording.waiting = _Row.DELETED if deleted else _Row.GONE, []
-        code = "stream-recording-deleted" if deleted else "stream-recording-not-there"
-        self._say(Said(code, recording=recording.segment.name))
+        name = recording.segment.name
+        if deleted:
+            self._say(Said("stream-recording-deleted", recording=name))
+        else:
+            self._say(Said("stream-recording-not-there", recording=name))
 
     def _refuse(self, error: SightlineError) -> None:
         if not self._refused:

@@ -42,8 +42,9 @@ def list_live_segments(
 @router.post("/surveys/{survey_id}/live")
 def begin_segment(survey_id: PathId, body: NewSegment, who: Operator, session: Writing) -> ScanBody:
     """The recording of a part of a stream, made unless it is there."""
-    began_at = body.began_at.astimezone(UTC)
-    segment = SegmentFacts(body.number, body.stream, body.source, began_at)
+    segment = SegmentFacts(
+        number=body.number, stream=body.stream, source=body.source, began_at=body.began_at.astimezone(UTC)
+    )
     rig = body.stream_rig()
     scan_id = begin_recording(session, survey_id, segment, rig, body.others, actor=who.id)
     return scan_body(get_scan(session, scan_id))

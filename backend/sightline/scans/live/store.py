@@ -37,7 +37,9 @@ def live_segments(session: Session, survey_id: int, stream: str, began_at: datet
         .order_by(of.id.desc())
     )
     rows = session.execute(query)
-    return [LiveSegment(row.scan_id, row.ended, row.deleted_at is not None) for row in rows]
+    return [
+        LiveSegment(scan_id=row.scan_id, ended=row.ended, deleted=row.deleted_at is not None) for row in rows
+    ]
 
 
 def is_live(session: Session, scan_id: int) -> bool:
