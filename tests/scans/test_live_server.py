@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
-from datetime import UTC, datetime
+from dataclasses import asdict, replace
+from datetime import UTC, datetime, timedelta, timezone
 from pathlib import Path
 from threading import Event
 from typing import Any
@@ -22,11 +22,12 @@ from sightline.messages.said import Said
 from sightline.people.token_store import list_api_tokens, revoke_api_token
 from sightline.scans.live import keeping
 from sightline.scans.live.keeping import SurveyKeeper
-from sightline.scans.live.records import LiveHealth, LiveVehicle, SegmentFacts
+from sightline.scans.live.records import LiveVehicle, SegmentFacts
 from sightline.scans.records import ScanVehicle
 from sightline.scans.store import list_scans
 from sightline.scans.vehicles.motion import measured_of, values_of
 from sightline.scans.vehicles.store import get_scan_vehicle, list_scan_vehicles
+from tests.support.app import Client
 from tests.support.events import events_of
 from tests.support.relay import Relay
 from tests.support.served import served
@@ -268,38 +269,41 @@ ENOUGH: dict[str, Any] = {"speed_mps": 20.0, "u_speed_mps": 0.1, "acceleration_m
 ENOUGH |= {"u_acceleration_mps2": 0.1, "length_m": 4.0, "u_length_m": 0.02}
 
 
-@pytest.mark.parametrize(
-    "wrong",
-    [
-        {"speed_mps": float("nan")},
-        {"speed_mps": None},
-        {"u_length_m": -0.1},
-        {"length_m": float("inf")},
-        {"reason": {"code": "scan-motion-cut", "values": {}}},
-        {"status": "not_measurable"},
-        {"status": "not_measurable", "reason": {"code": "scan-motion-cut", "values": {}}},
-        {"status": "not_measurable", "reason": {"code": "a\x00", "values": {}}},
-        {"warnings": [{"code": "scan-motion-cut", "values": {"a": 10**400}}]},
-        {"warnings": [3]},
-        {"rear_line_1": 1.0},
-        {"correlation": 1.5},
-        {"lane": "left", "lane_by": "machine"},
-        {"lane_by": "machine"},
-        {"profile": {"line_1": [1.0], "speed_mps": [], "fitted_mps": [1.0], "used": [True]}},
-        {"budget": [{"source": "x", "u_speed_mps": 0.1, "u_acceleration_mps2": 0.1}]},
-        {"cause": "added"},
-        {"method": "guess"},
-    ],
-)
-def test_a_wrong_number_is_not_stored(hill: Services, wrong: dict[str, Any]) -> None:
+WRONG: list[dict[str, Any]] = [
+    {"speed_mps": float("nan")},
+    {"speed_mps": None},
+    {"u_length_m": -0.1},
+    {"length_m": float("inf")},
+    {"reason": {"code": "scan-motion-cut", "values": {}}},
+    {"status": "not_measurable"},
+    {"status": "not_measurable", "reason": {"code": "scan-motion-cut", "values": {}}},
+    {"status": "not_measurable", "reason": {"code": "a\x00", "values": {}}},
+    {"warnings": [{"code": "scan-motion-cut", "values": {"a": 10**400}}]},
+    {"warnings": [3]},
+    {"rear_line_1": 1.0},
+    {"correlation": 1.5},
+    {"lane": "left", "lane_by": "machine"},
+    {"lane_by": "machine"},
+    {"profile": {"line_1": [1.0], "speed_mps": [], "fitted_mps": [1.0], "used": [True]}},
+    {"budget": [{"source": "x", "u_speed_mps": 0.1, "u_acceleration_mps2": 0.1}]},
+    {"cause": "added"},
+    {"method": "guess"},
+]
+
+
+def test_a_wrong_number_is_not_stored(hill: Services) -> None:
     right = Motion("direct", Crossings(10.0, 200.0, 50.0, 240.0), "ok", **ENOUGH)
     with served(hill) as port, Remote(f"http://127.0.0.1:{port}", token_of(hill, *SCOPES)) as remote:
         sink = RemoteSink(remote, 1, CAMERAS, "direct")
         scan_id = sink.begin(SEGMENT, [])
-        body = {"rig": sink._rig, "vehicles": [{**measured_of(right), **wrong}], "health": None}
-        with pytest.raises(BadInput):
-            remote.write(f"/scans/{scan_id}/live", body)
-        assert vehicles_of(hill) == [[]]
+        for wrong in WRONG:
+            body = {"rig": sink._rig, "vehicles": [{**measured_of(right), **wrong}], "health": None}
+            with pytest.raises(BadInput):
+                remote.write(f"/scans/{scan_id}/live", body)
+            assert vehicles_of(hill) == [[]], wrong
+        for wrong in ({"saturated": (0.0, 1.1)}, {"light_dn": (float("nan"), None)}):
+            with pytest.raises(BadInput):
+                sink.add(scan_id, [], replace(HEALTH, **wrong))
         sink.add(scan_id, [right], None)
         sink.end(scan_id, [], [], 1)
         sink.end(scan_id, [], [], 1)
@@ -308,10 +312,31 @@ def test_a_wrong_number_is_not_stored(hill: Services, wrong: dict[str, Any]) -> 
     assert [len(some) for some in vehicles_of(hill)] == [1]
 
 
-@pytest.mark.parametrize("wrong", [{"saturated": (0.0, 1.1)}, {"light_dn": (float("nan"), None)}])
-def test_health_that_cannot_be_is_not_stored(hill: Services, wrong: dict[str, Any]) -> None:
-    health: LiveHealth = replace(HEALTH, **wrong)
-    with served(hill) as port, Remote(f"http://127.0.0.1:{port}", token_of(hill, *SCOPES)) as remote:
-        sink = RemoteSink(remote, 1, CAMERAS, "direct")
-        with pytest.raises(BadInput):
-            sink.add(sink.begin(SEGMENT, []), [], health)
+@pytest.mark.dialect
+def test_a_recording_is_begun_added_to_and_ended_once(
+    services: Services, operator: Client, survey_id: int
+) -> None:
+    began_at = SEGMENT.began_at.astimezone(timezone(timedelta(hours=2))).isoformat()
+    new = {"rig": asdict(CAMERAS), "number": 1, "stream": "sign", "source": "pipe", "began_at": began_at}
+    right = measured_of(Motion("direct", Crossings(10.0, 200.0, 50.0, 240.0), "ok", **ENOUGH))
+    more = {"rig": asdict(CAMERAS), "vehicles": [right], "health": asdict(replace(HEALTH, lines=9))}
+    end = {"rig": asdict(CAMERAS), "method": "direct", "notes": [], "told": 1}
+    for _ in range(2):
+        scan_id = operator.post(f"/surveys/{survey_id}/live", {**new, "others": []}).json()["id"]
+        assert operator.post(f"/scans/{scan_id}/live", more).status_code == 204
+    another = operator.post(f"/surveys/{survey_id}/live", {**new, "others": [scan_id]}).json()["id"]
+    for _ in range(2):
+        assert operator.post(f"/scans/{scan_id}/live/end", end).status_code == 204
+    of = {"stream": "sign", "began_at": began_at}
+    assert operator.get(f"/surveys/{survey_id}/live/segments", params=of).json() == [
+        {"scan_id": another, "ended": False, "deleted": False},
+        {"scan_id": scan_id, "ended": True, "deleted": False},
+    ]
+    with services.reading() as session:
+        assert [one.id for one in list_scans(session, survey_id)] == [scan_id, another]
+        (vehicle,) = list_scan_vehicles(session, scan_id)
+        assert vehicle.measurement is not None and vehicle.measurement.created_by is not None
+        events = [one for one in events_of(session, survey_id) if one.entity.startswith("scan")]
+        assert verify_records(session).ok
+    assert all(one.actor is not None for one in events)
+    assert [one.action for one in events].count("run") == 1
