@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import asdict, replace
 from datetime import UTC, datetime, timedelta, timezone
@@ -14,12 +15,13 @@ import pytest
 from sightline.cli import main
 from sightline.commands.remote import Remote
 from sightline.commands.remote_sink import RemoteSink
-from sightline.errors import BadInput
+from sightline.errors import Away, BadInput
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.services import Services
 from sightline.linescan.parts import Crossings, Motion
 from sightline.messages.said import Said
 from sightline.people.token_store import list_api_tokens, revoke_api_token
+from sightline.recordings.uploads.store import strips_waiting, unfinished_uploads
 from sightline.scans.live import keeping
 from sightline.scans.live.keeping import SurveyKeeper
 from sightline.scans.live.records import LiveVehicle, SegmentFacts
@@ -179,6 +181,42 @@ def test_a_token_that_is_revoked_is_said_once_and_the_lines_stay_for_the_next_st
     assert not list((tmp_path / "spool").glob("*.tif"))
 
 
+def test_each_answer_may_be_lost_once(
+    hill: Services, followed: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The server did what it was asked, and nobody heard of it."""
+    send, lost = Remote._send, set[str]()
+
+    def lose(remote: Remote, method: str, path: str, *given: Any) -> Any:
+        answer = send(remote, method, path, *given)
+        what = re.sub(r"\d+", "N", f"{method} {path.partition('?')[0]}")
+        if what not in lost and (lost or method == "POST"):  # not before it has begun
+            lost.add(what)
+            raise Away("import-no-answer", url="x")
+        return answer
+
+    monkeypatch.setenv("SIGHTLINE_TOKEN", token_of(hill, *SCOPES))
+    monkeypatch.setattr(keeping, "AGAIN_S", 0.0)
+    monkeypatch.setattr("sightline.commands.remote._RETRY_S", 0.0)
+    monkeypatch.setattr(Remote, "_send", lose)
+    with served(hill) as port:
+        there = ("--server", f"http://127.0.0.1:{port}", "--spool", str(tmp_path / "spool"))
+        assert main([*STREAM, "--survey", "Hill", *there, *followed]) == 0
+    assert {
+        "POST /surveys/N/live",
+        "POST /scans/N/live",
+        "POST /surveys/N/uploads",
+        "HEAD /uploads/N",
+        "PATCH /uploads/N",
+        "POST /scans/N/live/end",
+    } <= lost
+    assert {job.state for job in run_jobs(hill)} == {"done"}
+    assert [len(some) for some in vehicles_of(hill)] == [3]
+    with hill.reading() as session:
+        assert [one.state for one in list_scans(session, 1)] == ["ready"]
+        assert not strips_waiting(session, 1) and not unfinished_uploads(session, 1)
+
+
 def test_a_server_that_is_away_for_a_while_delays_nothing_but_the_storing(
     hill: Services,
     followed: tuple[str, ...],
@@ -223,7 +261,7 @@ def test_what_a_survey_that_stays_away_did_not_take_is_found_by_the_next_stream(
 
         def away() -> None:
             def refuse(*_given: Any, **_named: Any) -> None:
-                raise keeping.Away("database-no-answer")
+                raise Away("database-no-answer")
 
             patched.setattr(Services, "writing", refuse)
 
