@@ -20,8 +20,8 @@ import pytest
 
 from sightline.cli import main
 from sightline.commands import remote
-from sightline.commands.remote import Away, Remote
-from sightline.errors import BadInput
+from sightline.commands.remote import Remote
+from sightline.errors import Away, BadInput
 from sightline.media.video.writer import write_mp4
 from tests.commands.running import Server, environment
 from tests.media.clips import painted
@@ -126,15 +126,32 @@ def test_what_broke_off_goes_on_where_it_was(
     assert running.http.get(f"/api/recordings/{recording_id}").json()["size_bytes"] == path.stat().st_size
 
 
+def test_the_answer_to_the_last_piece_may_be_lost(
+    running: Running, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    film, piece, pieces = video(tmp_path / "lost.mp4", 300), Remote._piece, list[object]()
+
+    def lost(*given: Any) -> Any:
+        pieces.append(piece(*given))
+        raise Away("import-no-answer", url="x")
+
+    monkeypatch.setattr(remote, "_RETRY_S", 0.0)
+    monkeypatch.setattr(Remote, "_piece", lost)
+    with Remote(running.server.url, running.token) as server:
+        recording_id = server.upload(running.survey_id, film, lambda _: None)
+        assert len(pieces) == 1
+        assert server.ask(f"/recordings/{recording_id}")["size_bytes"] == film.stat().st_size
+
+
 def test_only_ones_own_upload_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     film = video(tmp_path / "a.mp4", 0)
     same = {"purpose": "video", "filename": "a.mp4", "size_bytes": film.stat().st_size}
     under_way = [{**same, "id": 1, "mine": False}]
     monkeypatch.setattr(Remote, "ask", lambda *_: under_way)
     with Remote("http://localhost", "t") as server:
-        assert server._begun(1, film) is None
+        assert server.begun(1, film) is None
         under_way.append({**same, "id": 2, "mine": True})
-        assert server._begun(1, film) == "/uploads/2"
+        assert server.begun(1, film) == "/uploads/2"
 
 
 @pytest.mark.parametrize(

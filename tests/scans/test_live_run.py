@@ -604,8 +604,8 @@ def test_strips_that_were_not_moved_when_a_stream_was_killed_are_moved_by_the_ne
         def begin(self, segment: SegmentFacts, belongs_to: Callable[[int | None], None]) -> None:
             belongs_to(7)
 
-        def take_up(self, segment: SegmentFacts | None, scan_id: int | None) -> None:
-            self.seen.append((segment and segment.number, scan_id))
+        def take_up(self, segment: SegmentFacts | None, scan_id: int | None, told: int) -> None:
+            self.seen.append((segment and segment.number, scan_id, told))
 
         def end(self, paths: tuple[Path, Path] | None, notes: list[Said], moved: Callable[[], None]) -> None:
             self.seen.append(paths and paths[0].name)
@@ -619,7 +619,7 @@ def test_strips_that_were_not_moved_when_a_stream_was_killed_are_moved_by_the_ne
     next_one, last = Survey(killed=False), Survey(killed=False)
     for keeper in (next_one, last):
         assert run_of(nothing, tmp_path, keeper=keeper)[0] == []
-    assert (next_one.seen, last.seen) == ([(1, 7), "0001-camera-1.tif"], [])
+    assert (next_one.seen, last.seen) == ([(1, 7, 2), "0001-camera-1.tif"], [])
 
 
 def test_who_left_before_a_stream_was_killed_is_not_told_again(

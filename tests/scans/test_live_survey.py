@@ -12,7 +12,6 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 from sqlalchemy import select, text, update
 
@@ -20,9 +19,8 @@ from sightline.cli import main
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.database.engine import DatabaseAway
 from sightline.infra.database.types import now
-from sightline.infra.services import Services, open_services
-from sightline.linescan.parts import Rig
-from sightline.scans.live import keeping
+from sightline.infra.services import Services
+from sightline.scans.live import keeping, recording
 from sightline.scans.live.keeping import SurveyKeeper
 from sightline.scans.live.records import LiveStream, LiveVehicle, SegmentFacts
 from sightline.scans.live.service import flow_of, live_streams
@@ -32,33 +30,15 @@ from sightline.scans.presenters import scan_body
 from sightline.scans.service import request_find
 from sightline.scans.store import list_scans, remove_scan, update_scan
 from sightline.scans.vehicles.store import list_scan_vehicles
-from sightline.settings import load_settings
-from sightline.surveys.store import create_survey
-from tests.simulation.scan_strips import strips
-from tests.simulation.scan_traffic import ScanSite, traffic
 from tests.support.events import events_of
-from tests.support.kept import Shelf, lay_sqlite
+from tests.support.streaming import HEALTH, SITE, STREAM, Place, stored
 from tests.support.waiting import until
 from tests.support.working import run_jobs
 
-SITE = ScanSite(rows=64, misalignment_px=0.3)
-RIG = ("--baseline", str(SITE.baseline_m), "--line-rate", str(SITE.line_rate_hz), "--u-baseline", "0.0005")
-STREAM = ("stream", "--rows", str(SITE.rows), *RIG)
-
-
-@pytest.fixture(scope="module")
-def lines() -> bytes:
-    pair = strips(SITE, traffic(5, 3, speeds_mps=(14.0, 24.0), gaps_s=(0.5, 0.8), start_s=0.8))
-    return np.stack(pair, axis=1).astype(np.uint8).tobytes()
-
 
 @pytest.fixture
-def services(tmp_path: Path, shelf: Shelf) -> Iterator[Services]:
-    opened = open_services(load_settings(data_dir=lay_sqlite(shelf, tmp_path / "data")))
-    with opened.writing() as session:
-        create_survey(session, name="Hill", actor=None)
-    yield opened
-    opened.close()
+def services(hill: Services) -> Services:
+    return hill
 
 
 def streams_of(services: Services) -> list[LiveStream]:
@@ -80,12 +60,11 @@ def test_a_stream_from_a_pipe_has_no_source(
 
 
 def test_a_stream_becomes_a_recording_whose_vehicles_are_those_of_the_search(
-    services: Services, lines: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    place: Place, services: Services, lines: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "lines.raw"
     path.write_bytes(lines)
-    where = ("--survey", "Hill", "--data-dir", str(tmp_path / "data"))
-    assert main([*STREAM, *where, "--follow", str(path), "--until-idle", "0.3"]) == 0
+    assert main([*STREAM, *place.where, "--follow", str(path), "--until-idle", "0.3"]) == 0
     told = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
 
     (stream,) = streams_of(services)
@@ -107,7 +86,7 @@ def test_a_stream_becomes_a_recording_whose_vehicles_are_those_of_the_search(
     assert scan.state == "ready" and scan.source == "live" and scan.lines == len(lines) // (2 * SITE.rows)
     assert scan.run is not None and (scan.run.found, scan.run.measured) == (3, 3)
     assert {"recorded", "read", "run"} <= set(kinds)
-    assert not list((tmp_path / "data" / "live").rglob("*.tif"))
+    assert not list(place.folder.rglob("*.tif"))
 
     # the search over the stored strips says the same to the last bit, so nothing is revised
     with services.writing() as session:
@@ -129,6 +108,7 @@ def test_a_stream_becomes_a_recording_whose_vehicles_are_those_of_the_search(
 
 @pytest.mark.parametrize(("at_begin", "at_end"), [(2, 2), (9, 1)])
 def test_what_a_busy_database_does_not_take_is_stored_with_the_next_second(
+    place: Place,
     services: Services,
     lines: bytes,
     tmp_path: Path,
@@ -138,7 +118,7 @@ def test_what_a_busy_database_does_not_take_is_stored_with_the_next_second(
     at_end: int,
 ) -> None:
     def busy(name: str, times: int) -> None:
-        work, left = getattr(keeping, name), [times]
+        work, left = getattr(recording, name), [times]
 
         def tried(*given: Any, **named: Any) -> Any:
             left[0] -= 1
@@ -146,15 +126,14 @@ def test_what_a_busy_database_does_not_take_is_stored_with_the_next_second(
                 raise DatabaseAway("database-busy")
             return work(*given, **named)
 
-        monkeypatch.setattr(keeping, name, tried)
+        monkeypatch.setattr(recording, name, tried)
 
-    monkeypatch.setattr(keeping, "AGAIN_S", 0.0, raising=False)
+    monkeypatch.setattr(keeping, "AGAIN_S", 0.0)
     busy("create_scan", at_begin)
     busy("add_scan_run", at_end)
     path = tmp_path / "lines.raw"
     path.write_bytes(lines)
-    where = ("--survey", "Hill", "--data-dir", str(tmp_path / "data"))
-    assert main([*STREAM, *where, "--follow", str(path), "--until-idle", "0.3"]) == 0
+    assert main([*STREAM, *place.where, "--follow", str(path), "--until-idle", "0.3"]) == 0
     assert "vehicles wait to be stored" in capsys.readouterr().err
     run_jobs(services)
     with services.reading() as session:
@@ -165,7 +144,7 @@ def test_what_a_busy_database_does_not_take_is_stored_with_the_next_second(
 
 
 def test_what_was_stored_though_its_answer_was_lost_is_not_stored_again(
-    services: Services, lines: bytes, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    place: Place, services: Services, lines: bytes, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The first commit of a recording, of a vehicle and of the end goes through, and nobody hears of it."""
     begun, lost = Services.writing, set[str]()
@@ -174,19 +153,18 @@ def test_what_was_stored_though_its_answer_was_lost_is_not_stored_again(
     def writing(self: Services, *given: Any, **named: Any) -> Iterator[Any]:
         with begun(self, *given, **named) as session:
             yield session
-            last = session.execute(text("SELECT action, entity FROM audit_events ORDER BY id DESC"))
-            what = " ".join(last.first() or ())
-        if what not in lost:
+            scans = "SELECT action, entity FROM audit_events WHERE entity LIKE 'scan%' ORDER BY id DESC"
+            what = " ".join(session.execute(text(scans)).first() or ())
+        if what and what not in lost:
             lost.add(what)
             raise DatabaseAway("database-no-answer")
 
     monkeypatch.setattr(keeping, "AGAIN_S", 0.0)
     path = tmp_path / "lines.raw"
     path.write_bytes(lines)
-    where = ("--survey", "Hill", "--data-dir", str(tmp_path / "data"))
     with monkeypatch.context() as patched:
         patched.setattr(Services, "writing", writing)
-        assert main([*STREAM, *where, "--follow", str(path), "--until-idle", "0.3"]) == 0
+        assert main([*STREAM, *place.where, "--follow", str(path), "--until-idle", "0.3"]) == 0
     assert len(lost) >= 3
     run_jobs(services)
     with services.reading() as session:
@@ -198,25 +176,30 @@ def test_what_was_stored_though_its_answer_was_lost_is_not_stored_again(
     assert kinds.count("recorded") == kinds.count("run") == 1
 
 
-def test_a_stream_taken_up_at_its_very_beginning_has_a_recording_of_its_own(services: Services) -> None:
+def test_a_stream_taken_up_at_its_very_beginning_has_a_recording_of_its_own(place: Place) -> None:
     """Both segments have the stream's sign and the same moment; each is stored once."""
     at, ids = datetime(2026, 5, 3, 12, 0, tzinfo=UTC), list[int | None]()
-    keeper = SurveyKeeper(services, 1, Rig(SITE.baseline_m, SITE.line_rate_hz), "direct", lambda _: None)
-    keeper.begin(SegmentFacts(1, "sign", "lines.raw", at), ids.append)
-    left = keeper._recording
-    keeper.begin(SegmentFacts(2, "sign", "lines.raw", at), ids.append)
-    assert left is not None and ids == [None, 1, None, 2]
-    again = SurveyKeeper(services, 1, Rig(SITE.baseline_m, SITE.line_rate_hz), "direct", lambda _: None)
-    again.take_up(SegmentFacts(2, "sign", "lines.raw", at), None)  # killed before its journal had the number
-    assert again._recording is not None and again._store(again._recording) == 2
+    keeper = SurveyKeeper(place.sink(), lambda _: None)
+    for number in (1, 2):
+        keeper.begin(SegmentFacts(number, "sign", "lines.raw", at), ids.append)
+        stored(keeper)
+        keeper.hear(HEALTH)
+        stored(keeper)
+    assert ids == [None, 1, None, 2]
+    again = SurveyKeeper(place.sink(), lambda _: None)
+    # killed before its journal had the number
+    again.take_up(SegmentFacts(2, "sign", "lines.raw", at), None, 0)
+    again.hear(HEALTH)
+    stored(again)
+    assert again._recording is not None and again._recording.scan_id == 2
 
 
 def test_a_killed_stream_of_a_survey_is_taken_up(
-    services: Services, lines: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    place: Place, services: Services, lines: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    path, where = tmp_path / "lines.raw", ("--survey", "Hill", "--data-dir", str(tmp_path / "data"))
+    path = tmp_path / "lines.raw"
     path.write_bytes(lines[: len(lines) * 2 // 3])
-    command = [sys.executable, "-m", "sightline.cli", *STREAM, *where, "--follow", str(path)]
+    command = [sys.executable, "-m", "sightline.cli", *STREAM, *place.where, "--follow", str(path)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as live:
         assert live.stdout is not None
         live.stdout.readline()
@@ -226,7 +209,7 @@ def test_a_killed_stream_of_a_survey_is_taken_up(
             return [one.state for one in found] == ["running"]
 
         until(running)
-        assert main([*STREAM, *where, "--follow", str(path)]) == 2
+        assert main([*STREAM, *place.where, "--follow", str(path)]) == 2
         assert "Another stream writes into" in capsys.readouterr().err
         live.kill()
     with services.writing() as session:
@@ -236,7 +219,7 @@ def test_a_killed_stream_of_a_survey_is_taken_up(
         (left,) = list_scans(session, 1)
     assert (left.state, scan_body(left).stream_state) == ("live", "stopped")
     path.write_bytes(lines)
-    assert main([*STREAM, *where, "--follow", str(path), "--until-idle", "0.3"]) == 0
+    assert main([*STREAM, *place.where, "--follow", str(path), "--until-idle", "0.3"]) == 0
     assert "and nothing is missing" in capsys.readouterr().err
     run_jobs(services)
     with services.reading() as session:
@@ -252,6 +235,7 @@ def test_a_killed_stream_of_a_survey_is_taken_up(
 
 @pytest.mark.parametrize("after", [1, 3])
 def test_a_recording_that_is_deleted_while_it_is_streamed_is_said_and_leaves_nothing(
+    place: Place,
     services: Services,
     lines: bytes,
     tmp_path: Path,
@@ -264,6 +248,7 @@ def test_a_recording_that_is_deleted_while_it_is_streamed_is_said_and_leaves_not
 
     def added(keeper: SurveyKeeper, vehicle: LiveVehicle) -> None:
         add(keeper, vehicle)
+        stored(keeper)
         keepers.append(keeper)
         if len(keepers) == after:
             with services.writing() as session:
@@ -276,39 +261,42 @@ def test_a_recording_that_is_deleted_while_it_is_streamed_is_said_and_leaves_not
     monkeypatch.setattr(SurveyKeeper, "add", added)
     path = tmp_path / "lines.raw"
     path.write_bytes(lines)
-    where = ("--survey", "Hill", "--data-dir", str(tmp_path / "data"))
-    assert main([*STREAM, *where, "--follow", str(path), "--until-idle", "0.3"]) == 0
+    assert main([*STREAM, *place.where, "--follow", str(path), "--until-idle", "0.3"]) == 0
     told = capsys.readouterr()
     assert len(told.out.splitlines()) == 3
     assert told.err.count("was deleted while it was streamed") == 1 and "wait to be stored" not in told.err
-    folder = tmp_path / "data" / "live"
-    assert not list(folder.rglob("*.tif"))
-    assert '"ended"' in next(folder.rglob("*.jsonl")).read_text()
+    assert not list(place.folder.rglob("*.tif"))
+    assert '"ended"' in next(place.folder.rglob("*.jsonl")).read_text()
     with services.reading() as session:
         assert not list_scans(session, 1)
         assert verify_records(session).ok
 
 
-@pytest.mark.parametrize("stored", [False, True])
+@pytest.mark.parametrize("after_end", [False, True])
 def test_strips_of_a_stream_that_was_killed_while_its_end_waited_are_moved_by_the_next(
-    services: Services, lines: bytes, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, stored: bool
+    place: Place,
+    services: Services,
+    lines: bytes,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    after_end: bool,
 ) -> None:
     """Killed before, or after, the recording's end was stored: the journal had said that it was whole."""
 
     def killed(keeper: SurveyKeeper, recording: Any, paths: Any, notes: Any, _moved: Any) -> None:
-        if stored:
-            keeper._store_end(recording, paths, notes)
+        if after_end:
+            keeper._try_end(recording, paths, notes)
 
     path, empty = tmp_path / "lines.raw", tmp_path / "empty.raw"
     path.write_bytes(lines)
     empty.write_bytes(b"")
-    command = (*STREAM, "--survey", "Hill", "--data-dir", str(tmp_path / "data"), "--until-idle", "0.3")
+    command = (*STREAM, *place.where, "--until-idle", "0.3")
     with monkeypatch.context() as patched:
         patched.setattr(SurveyKeeper, "_end", killed)
         assert main([*command, "--follow", str(path)]) == 0
-    assert len(list((tmp_path / "data" / "live").rglob("*.tif"))) == 2
+    assert len(list(place.folder.rglob("*.tif"))) == 2
     assert main([*command, "--follow", str(empty)]) == 2  # no lines come
-    assert not list((tmp_path / "data" / "live").rglob("*.tif"))
+    assert not list(place.folder.rglob("*.tif"))
     assert [job.state for job in run_jobs(services)] == ["done"]
     with services.reading() as session:
         (scan,) = list_scans(session, 1)
@@ -320,18 +308,19 @@ def test_strips_of_a_stream_that_was_killed_while_its_end_waited_are_moved_by_th
 
 @pytest.mark.parametrize("there", ["nothing", "another", "deleted"])
 def test_strips_are_deleted_only_where_a_person_deleted_their_recording(
-    services: Services, tmp_path: Path, there: str
+    place: Place, services: Services, tmp_path: Path, there: str
 ) -> None:
     """A database restored from before the recording, another database, and one where it was deleted."""
     at, said = datetime(2026, 5, 3, 12, 0, tzinfo=UTC), list[str]()
-    rig, segment = Rig(SITE.baseline_m, SITE.line_rate_hz), SegmentFacts(1, "sign", "lines.raw", at)
+    segment = SegmentFacts(1, "sign", "lines.raw", at)
 
     def keeper() -> SurveyKeeper:
-        return SurveyKeeper(services, 1, rig, "direct", lambda one: said.append(one.sentence()))
+        return SurveyKeeper(place.sink(), lambda one: said.append(one.sentence()))
 
     if there != "nothing":
-        other = segment if there == "deleted" else replace(segment, stream="other")
-        keeper().begin(other, lambda _: None)
+        other, before = segment if there == "deleted" else replace(segment, stream="other"), keeper()
+        before.begin(other, lambda _: None)
+        stored(before)
     if there == "deleted":
         with services.writing() as session:
             remove_scan(session, 1, actor=None)
@@ -339,7 +328,7 @@ def test_strips_are_deleted_only_where_a_person_deleted_their_recording(
     for path in paths:
         path.write_bytes(path.name.encode())
     ended, again = list[bool](), keeper()
-    again.take_up(segment, 1)
+    again.take_up(segment, 1, 0)
     again.end(paths, [], lambda: ended.append(True))
     again.close()
     deleted = there == "deleted"
@@ -352,7 +341,7 @@ def test_strips_are_deleted_only_where_a_person_deleted_their_recording(
 
 
 def test_a_recording_deleted_while_its_strips_are_stored_leaves_none_in_the_store(
-    services: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    place: Place, services: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     put, puts = type(services.media).put_file, list[str]()
 
@@ -365,7 +354,7 @@ def test_a_recording_deleted_while_its_strips_are_stored_leaves_none_in_the_stor
         return done
 
     monkeypatch.setattr(type(services.media), "put_file", put_file)
-    keeper = SurveyKeeper(services, 1, Rig(SITE.baseline_m, SITE.line_rate_hz), "direct", lambda _: None)
+    keeper = SurveyKeeper(place.sink(), lambda _: None)
     keeper.begin(SegmentFacts(1, "sign", "lines.raw", datetime(2026, 5, 3, tzinfo=UTC)), lambda _: None)
     paths = (tmp_path / "0001-camera-1.tif", tmp_path / "0001-camera-2.tif")
     for path in paths:
@@ -374,7 +363,7 @@ def test_a_recording_deleted_while_its_strips_are_stored_leaves_none_in_the_stor
     keeper.end(paths, [], lambda: ended.append(True))
     keeper.close()
     assert len(puts) == 2 and ended == [True]
-    assert [job.state for job in run_jobs(services)] == ["done"]
+    assert {job.state for job in run_jobs(services)} == {"done"}
     assert not any(path.is_file() for path in paths) and not list(services.media.listing())
 
 

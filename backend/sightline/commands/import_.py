@@ -9,8 +9,16 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sightline.commands.options import FILE, json_option, progress_told, settings_of, survey_option, tell
-from sightline.errors import BadInput, Busy, TooMany
+from sightline.commands.options import (
+    FILE,
+    json_option,
+    progress_told,
+    settings_of,
+    survey_option,
+    tell,
+    token_option,
+)
+from sightline.errors import Away, BadInput, Busy, TooMany
 from sightline.media.store.local import sha256_of
 from sightline.media.video.endings import VIDEO_ENDINGS
 
@@ -25,11 +33,7 @@ Tell = Callable[[float, str], None]
 @click.argument("videos", nargs=-1, type=FILE)
 @survey_option
 @click.option("--server", help="Address of the running Sightline (default: this machine).")
-@click.option(
-    "--token",
-    envvar="SIGHTLINE_TOKEN",
-    help="API token with the scopes read and upload (or SIGHTLINE_TOKEN).",
-)
+@token_option("read and upload")
 @click.option(
     "--watch", "folder", type=FILE, help="Import the files in this folder and all new ones, until stopped."
 )
@@ -62,7 +66,7 @@ def import_command(
     if not token:
         raise BadInput("import-no-token")
     with Remote(server or _own_address(), token) as remote:
-        survey_id = _survey_id(remote, survey)
+        survey_id = remote.survey_id(survey)
         if folder is not None:
             _watch(remote, survey_id, folder, settle_s, progress_told())
         else:
@@ -83,20 +87,6 @@ def _own_address() -> str:
     return f"http://{settings.host}:{settings.port}"
 
 
-def _survey_id(remote: Remote, wanted: str) -> int:
-    """The survey of this name, or else number."""
-    surveys = remote.ask("/surveys")
-    named = [one for one in surveys if one["name"].casefold() == wanted.strip().casefold()]
-    named = named or [one for one in surveys if str(one["id"]) == wanted.strip()]
-    if len(named) > 1:
-        numbers = ", ".join(str(one["id"]) for one in named)
-        raise BadInput("import-survey-name-twice", survey=wanted, numbers=numbers)
-    if not named:
-        names = ", ".join(one["name"] for one in surveys) or "-"
-        raise BadInput("import-no-such-survey", survey=wanted, names=names)
-    return int(named[0]["id"])
-
-
 def _require_video(video: Path) -> None:
     if not video.is_file():
         raise BadInput("import-no-such-file", name=str(video))
@@ -114,9 +104,11 @@ def _import(remote: Remote, survey_id: int, video: Path, settle_s: float, tell: 
     there = next((one for one in recordings if one["sha256"] == sha256), None)
     if there is None:
         size = video.stat().st_size
-        recording_id = remote.upload(
+        sent = remote.upload(
             survey_id, video, lambda sent: tell(0.5 * sent / size, f"{video.name}: uploading")
         )
+        assert sent is not None
+        recording_id = sent
         if remote.ask(f"/recordings/{recording_id}")["sha256"] != sha256:
             raise BadInput("import-changed-meanwhile", name=video.name)
     else:
@@ -200,8 +192,6 @@ def _watch(remote: Remote, survey_id: int, folder: Path, settle_s: float, tell: 
 
     Where the server is away the file waits; a token or survey that is no good ends it.
     """
-    from sightline.commands.remote import Away
-
     if not folder.is_dir():
         raise BadInput("import-no-such-folder", name=str(folder))
     click.echo(f"Watching {folder}; Ctrl+C stops.", err=True)

@@ -54,6 +54,14 @@ data_dir_option = click.option(
     type=click.Path(file_okay=False, path_type=Path),
     help="Folder of the database and the media (SIGHTLINE_DATA_DIR; default .data).",
 )
+
+
+def token_option(scopes: str) -> Callable[[Command], Command]:
+    """`--token`: by which a running Sightline knows who asks."""
+    about = f"API token with the scopes {scopes} (or SIGHTLINE_TOKEN)."
+    return click.option("--token", envvar="SIGHTLINE_TOKEN", help=about)
+
+
 #: `--json`: one JSON object on standard output.
 json_option = click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 #: `--stream`: which of a video's pictures is read.

@@ -4,14 +4,20 @@ import math
 import signal
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import click
 
-from sightline.commands.options import data_dir_option, json_text, opened_services
+from sightline.commands.options import (
+    data_dir_option,
+    json_text,
+    opened_services,
+    refuse_ignored,
+    token_option,
+)
 from sightline.commands.scanned import left_out, object_of, rig_options
 from sightline.enums import ScanMethod
 from sightline.errors import BadInput
@@ -62,6 +68,8 @@ from sightline.scans.live.run import LiveRun
     help=("Folder in which to keep the lines (BigTIFF); an interrupted stream is resumed from there."),
 )
 @click.option("--survey", help="Name (or number) of a survey in which to store the vehicles too.")
+@click.option("--server", help="Address of the running Sightline that has the survey (default: --data-dir).")
+@token_option("read, upload and measure")
 @click.option(
     "--segment-minutes",
     type=click.FloatRange(min=0.02, max=24 * 60),
@@ -80,6 +88,8 @@ def stream(
     frame_lines: int,
     spool: Path | None,
     survey: str | None,
+    server: str | None,
+    token: str | None,
     segment_minutes: float,
     data_dir: Path | None,
 ) -> None:
@@ -89,14 +99,19 @@ def stream(
     camera 2, and so on, on standard input or in a growing file; or two GigE Vision cameras. At the end of the
     input, or on Ctrl+C, complete vehicles are measured. With --spool the lines are kept in pairs of files
     that `sightline linescan --time-axis height` can read, and the same command resumes an interrupted stream.
-    With --survey the vehicles appear on the Live page of the survey.
+    With --survey the vehicles appear on the Live page of the survey, also of a Sightline on another machine
+    (--server, with --spool).
     """
     if cameras and (len(cameras) != 2 or follow or cameras[0] == cameras[1]):
         raise BadInput("commands-stream-two-cameras")
     if until_idle is not None and follow is None:
         raise BadInput("commands-idle-without-follow")
     name = ", ".join(cameras) or (str(follow.absolute()) if follow else STANDARD_INPUT)
-    with until_told() as ending, keeping(survey, data_dir, rig, method, spool) as (keeper, folder):
+    if server is None:
+        kept = _in_database(survey, data_dir, rig, method, spool)
+    else:
+        kept = _on_server(survey, server, token, rig, method, spool)
+    with until_told() as ending, kept as (keeper, folder):
 
         def source(begin: int) -> LineSource:
             return _source(ending, rows, rig.line_rate_hz, begin, follow, until_idle, cameras, frame_lines)
@@ -175,7 +190,7 @@ def _source(
 
 
 @contextmanager
-def keeping(
+def _in_database(
     survey: str | None, data_dir: Path | None, rig: Rig, method: ScanMethod, spool: Path | None
 ) -> Iterator[tuple[Keeper, Path | None]]:
     """Where vehicles go besides standard output, and the folder for the lines, made for this stream alone."""
@@ -184,18 +199,35 @@ def keeping(
             yield Keeper(), spool
         return
     from sightline.export.export_job import find_survey
-    from sightline.scans.live.keeping import SurveyKeeper
+    from sightline.scans.live.keeping import DatabaseSink, SurveyKeeper
 
     with opened_services(data_dir) as services:
         with services.reading() as session:
             survey_id = find_survey(session, survey).id
         spool = spool or services.settings.data_dir / "live" / f"survey-{survey_id}"
-        with _taken(spool):
-            keeper = SurveyKeeper(services, survey_id, rig, method, _say)
-            try:
-                yield keeper, spool
-            finally:
-                keeper.close()
+        sink = DatabaseSink(services, survey_id, rig, method)
+        with _taken(spool), closing(SurveyKeeper(sink, _say)) as keeper:
+            yield keeper, spool
+
+
+@contextmanager
+def _on_server(
+    survey: str | None, server: str, token: str | None, rig: Rig, method: ScanMethod, spool: Path | None
+) -> Iterator[tuple[Keeper, Path | None]]:
+    """The same where the survey is another machine's: asked for it before any line is read."""
+    from sightline.commands.remote import Remote
+    from sightline.commands.remote_sink import RemoteSink
+    from sightline.scans.live.keeping import SurveyKeeper
+
+    refuse_ignored(("data_dir",), "--server")
+    if survey is None or spool is None:
+        raise BadInput("commands-stream-server-needs")
+    if not token:
+        raise BadInput("commands-stream-no-token")
+    with Remote(server, token) as remote:
+        sink = RemoteSink(remote, remote.survey_id(survey), rig, method)
+        with _taken(spool), closing(SurveyKeeper(sink, _say)) as keeper:
+            yield keeper, spool
 
 
 @contextmanager

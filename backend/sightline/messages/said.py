@@ -25,6 +25,9 @@ if TYPE_CHECKING:
 MOST_SIGNS = 900
 #: The code of a sentence that was kept as a text, by a program that had no codes.
 _TEXT = "said"
+_NAME = re.compile(r"[A-Za-z0-9_-]{1,100}")
+#: JSON keeps these whole.
+_MOST_COUNT = 2**53
 # A line has no second line, and no sign turns the order of the others round.
 _UNSEEN = re.compile(r"[\x00-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
 
@@ -117,14 +120,33 @@ class Said:
     @classmethod
     def __get_pydantic_core_schema__(cls, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         """It is answered as `body`; taken as it is, or in its stored form."""
-        from pydantic_core import core_schema
+        from pydantic_core import PydanticCustomError, core_schema
+
+        def taken(value: Any) -> Said:
+            try:
+                said = value if isinstance(value, cls) else cls.read(value)
+            except (TypeError, LookupError, AttributeError, RecursionError):
+                said = None
+            if said is None or not _is_sound(said):
+                raise PydanticCustomError("said", "a sentence is given by its code and values")
+            return said
 
         answered = core_schema.plain_serializer_function_ser_schema(
             lambda one: one.body, return_schema=handler.generate_schema(SaidInWords)
         )
         return core_schema.no_info_plain_validator_function(
-            lambda value: value if isinstance(value, cls) else cls.read(value), serialization=answered
+            taken, serialization=answered, json_schema_input_schema=handler.generate_schema(SaidDocument)
         )
+
+
+def _is_sound(said: Said) -> bool:
+    """Whether it is of names and values that can be stored, as whoever sends it may have made it."""
+    each = said.values.values()
+    return (
+        all(map(_NAME.fullmatch, (said.code, *said.values)))
+        and all(_is_sound(one) for one in each if isinstance(one, Said))
+        and all(abs(one) < _MOST_COUNT for one in each if isinstance(one, int))
+    )
 
 
 @lru_cache(maxsize=4096)

@@ -339,4 +339,5 @@ class StripUploadBody:
     id: int
     filename: str
     size_bytes: int
+    sha256: str
     created_at: datetime

@@ -43,17 +43,12 @@ def create_from_strips(
 
     Raises NotFound, Conflict for an upload that is not whole or belongs to a scan already, BadInput.
     """
-    if first_upload == second_upload:
-        raise BadInput("scans-upload-twice")
-    first = _strip(session, survey_id, first_upload, "first")
-    second = _strip(session, survey_id, second_upload, "second")
-    if first.sha256 == second.sha256:
-        raise BadInput("scans-strips-same", name=first.name, name_2=second.name)
+    source = uploaded_strips(session, survey_id, first_upload, second_upload)
     scan = store.create_scan(
         session,
         survey_id,
-        name=name or first.name,
-        source=(first, second),
+        name=name or source[0].name,
+        source=source,
         time_axis=time_axis,
         rig=rig,
         lighting=lighting,
@@ -175,6 +170,19 @@ def remove_scan(services: Services, scan_id: int, actor: int) -> None:
         store.remove_scan(session, scan_id, actor=actor)
         keys = (scan.first_source_key, scan.second_source_key, scan.first_key, scan.second_key)
         let_go(session, scan.survey_id, keys, actor)
+
+
+def uploaded_strips(
+    session: Session, survey_id: int, first_upload: int, second_upload: int
+) -> tuple[StripSource, StripSource]:
+    """Two strips that were uploaded. Raises NotFound, Conflict (not whole, or a scan's already), BadInput."""
+    if first_upload == second_upload:
+        raise BadInput("scans-upload-twice")
+    first = _strip(session, survey_id, first_upload, "first")
+    second = _strip(session, survey_id, second_upload, "second")
+    if first.sha256 == second.sha256:
+        raise BadInput("scans-strips-same", name=first.name, name_2=second.name)
+    return first, second
 
 
 def _strip(session: Session, survey_id: int, upload_id: int, word: str) -> StripSource:

@@ -91,9 +91,13 @@ def create_scan(
     begun: dict[str, Any] = {"state": "live" if isinstance(source, LiveSource) else "reading", "notes": []}
     (scan_id,) = make_rows(session, scans, [content], survey_id=survey_id, untold=begun, actor=actor)
     if isinstance(source, tuple):
-        ids = [one.upload_id for one in source if one.upload_id is not None]
-        session.execute(sql_update(uploads).where(uploads.c.id.in_(ids)).values(scan_id=scan_id))
+        _take_uploads(session, scan_id, source)
     return get_scan(session, scan_id)
+
+
+def _take_uploads(session: Session, scan_id: int, source: tuple[StripSource, StripSource]) -> None:
+    ids = [one.upload_id for one in source if one.upload_id is not None]
+    session.execute(sql_update(uploads).where(uploads.c.id.in_(ids)).values(scan_id=scan_id))
 
 
 def get_scan(session: Session, scan_id: int) -> Scan:
@@ -116,6 +120,7 @@ def note_scan_recorded(
     session: Session, scan_id: int, source: tuple[StripSource, StripSource], *, actor: int | None
 ) -> Scan:
     """A live stream has ended and its strips are stored; their reading is to come."""
+    _take_uploads(session, scan_id, source)
     return _note(session, scan_id, {**_strip_columns(source), "state": "reading"}, "recorded", actor)
 
 

@@ -48,6 +48,7 @@ _COMPLAINTS = {
     "string_too_long": "request-text-long",
     "string_pattern_mismatch": "request-pattern",
     "nul": "request-nul",
+    "said": "request-said",
 }
 FULL = NoRoom("database-disk-full")
 

@@ -56,9 +56,9 @@ class Told:
     """What is known of a segment from its journal.
 
     `began_at`: time of line 0; `begin`: number of line 0 in the followed file; `last_at`: when lines last
-    came; `before`: who is told; `stand`: of those that stood for too long and are not told, where they came
-    and were given up; `kept`: in a survey, as `scan_id` once that is stored; `closed`: all is told; `notes`:
-    what was said of it then.
+    came; `first_id`, `vehicles`: numbers of its first and last vehicle; `before`: who is told; `stand`: of
+    those that stood for too long and are not told, where they came and were given up; `kept`: in a survey, as
+    `scan_id` once that is stored; `closed`: all is told; `notes`: what was said of it then.
     """
 
     number: int
@@ -69,6 +69,7 @@ class Told:
     began_at: datetime
     begin: int
     last_at: datetime
+    first_id: int
     vehicles: int
     before: Before
     stand: tuple[Crossings, ...]
@@ -82,7 +83,7 @@ class Journal:
     """The journal of a segment that is being recorded."""
 
     def __init__(self, path: Path, head: dict[str, Any]) -> None:
-        self._file = path.open("x", encoding="utf-8", buffering=1)
+        self._path, self._file = path, path.open("x", encoding="utf-8", buffering=1)
         try:
             self.write({"format": FORMAT, **head})
         except OSError:
@@ -92,7 +93,12 @@ class Journal:
             raise
 
     def write(self, said: dict[str, Any]) -> None:
-        self._file.write(json.dumps(said) + "\n")
+        """Also once it is closed."""
+        if not self._file.closed:
+            self._file.write(json.dumps(said) + "\n")
+            return
+        with self._path.open("a", encoding="utf-8") as file:
+            file.write(json.dumps(said) + "\n")
 
     def close(self) -> None:
         self._file.close()
@@ -187,7 +193,7 @@ def _read_segment(path: Path, number: int) -> Told | None:
         number=number,
         began_at=datetime.fromisoformat(head["began_at"]),
         last_at=datetime.fromisoformat(known.pop("last_at")),
-        **{name: head[name] for name in ("stream", "source", "rows", "rig", "begin")},
+        **{name: head[name] for name in ("stream", "source", "rows", "rig", "begin", "first_id")},
         before=Before.of(settled, passed, left),
         stand=tuple(stand.values()),
         **known,

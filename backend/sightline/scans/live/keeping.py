@@ -1,43 +1,101 @@
 """A stream's vehicles on their way into a survey: a recording that grows, its strips once it has ended."""
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
-from contextlib import AbstractContextManager, suppress
+from contextlib import suppress
 from dataclasses import dataclass, field
 from enum import Enum, auto
 from pathlib import Path
-from weakref import WeakValueDictionary
+from threading import Lock
+from typing import Protocol
 
 from sightline.enums import ScanMethod
-from sightline.errors import Away, NoRoom, NotFound, SightlineError
-from sightline.infra.database import Session
+from sightline.errors import Away, Busy, NoRoom, NotAllowed, NotFound, NotSignedIn, SightlineError, TooMany
 from sightline.infra.services import Services
 from sightline.infra.stored_bytes import let_go
-from sightline.linescan.parts import Rig
+from sightline.linescan.parts import Motion, Rig
 from sightline.media.store.local import key_of, sha256_of
 from sightline.messages.said import Said
-from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle, SegmentFacts
-from sightline.scans.live.store import (
-    add_live_scan,
-    end_live_scan,
-    hear_live_scan,
-    live_scan_deleted,
-    live_scans_of,
-    passings_stored,
-)
-from sightline.scans.records import LiveSource, StripSource
-from sightline.scans.service import queue_reading
-from sightline.scans.store import create_scan, get_scan, note_reading_failed, note_scan_recorded
-from sightline.scans.vehicles.find_job import run_values
-from sightline.scans.vehicles.measurement_store import append_scan_measurements
-from sightline.scans.vehicles.motion import motion_of, values_of
-from sightline.scans.vehicles.run_store import add_scan_run
-from sightline.scans.vehicles.store import create_scan_vehicles, list_scan_vehicles
+from sightline.scans.live.recording import add_to_recording, begin_recording, end_recording
+from sightline.scans.live.records import Keeper, LiveHealth, LiveSegment, LiveVehicle, SegmentFacts
+from sightline.scans.live.store import is_live, live_segments
+from sightline.scans.records import StripSource
+from sightline.scans.vehicles.motion import values_of
 
-NOT_KEPT = Said("scans-lines-not-stored")
 _SUFFIX = ".spool.tif"
 AGAIN_S = 1.0
+#: So long after the end of the stream strips wait for what is away; then for the next stream.
+PATIENCE_S = 120.0
+_AT_ONCE = 10
+_LATER = (Away, Busy, NoRoom, TooMany)
+_REFUSED = (NotAllowed, NotSignedIn)
+
+
+@dataclass(frozen=True)
+class SpooledStrip:
+    """A strip of an ended segment, hashed."""
+
+    path: Path
+    sha256: str
+
+
+class Sink(Protocol):
+    """Where a survey is written to: each call may be repeated, and stores nothing twice (`recording`)."""
+
+    def segments(self, segment: SegmentFacts) -> Sequence[LiveSegment]:
+        """The recordings of its stream and moment."""
+
+    def begin(self, segment: SegmentFacts, others: Collection[int]) -> int:
+        """The number of its recording; `others`: those of other segments."""
+
+    def add(self, scan_id: int, motions: Sequence[Motion], health: LiveHealth | None) -> None:
+        """Vehicles, and how the stream is."""
+
+    def end(self, scan_id: int, strips: Sequence[SpooledStrip], notes: Sequence[Said], told: int) -> None:
+        """The stream adds no more; both strips, or none."""
+
+    def let_go(self, strips: Sequence[SpooledStrip]) -> None:
+        """Strips that may have been stored are those of a deleted recording."""
+
+
+class DatabaseSink:
+    """The database and the media store of this machine."""
+
+    def __init__(self, services: Services, survey_id: int, rig: Rig, method: ScanMethod) -> None:
+        self._services, self._survey_id, self._rig, self._method = services, survey_id, rig, method
+
+    def segments(self, segment: SegmentFacts) -> Sequence[LiveSegment]:
+        with self._services.reading() as session:
+            return live_segments(session, self._survey_id, segment.stream, segment.began_at)
+
+    def begin(self, segment: SegmentFacts, others: Collection[int]) -> int:
+        with self._services.writing(self._survey_id) as session:
+            return begin_recording(session, self._survey_id, segment, self._rig, others, actor=None)
+
+    def add(self, scan_id: int, motions: Sequence[Motion], health: LiveHealth | None) -> None:
+        vehicles = [values_of(one, self._rig, "found") for one in motions]
+        with self._services.writing(self._survey_id) as session:
+            add_to_recording(session, scan_id, vehicles, health, actor=None)
+
+    def end(self, scan_id: int, strips: Sequence[SpooledStrip], notes: Sequence[Said], told: int) -> None:
+        with self._services.reading() as session:
+            if not is_live(session, scan_id):
+                return  # stored by one that was killed before it had said so
+        sources = [StripSource(one.path.name, self._key(one), one.sha256) for one in strips]
+        for strip, source in zip(strips, sources, strict=True):
+            self._services.media.put_file(source.media_key, strip.path, link=True)
+        pair = (sources[0], sources[1]) if sources else None
+        with self._services.writing(self._survey_id) as session:
+            end_recording(session, scan_id, pair, self._rig, self._method, notes, told, actor=None)
+
+    def let_go(self, strips: Sequence[SpooledStrip]) -> None:
+        with self._services.writing(self._survey_id) as session:
+            let_go(session, self._survey_id, map(self._key, strips), None)
+
+    @staticmethod
+    def _key(strip: SpooledStrip) -> str:
+        return key_of(strip.sha256, _SUFFIX)
 
 
 class _Row(Enum):
@@ -49,229 +107,204 @@ class _Row(Enum):
     DELETED = auto()
 
 
-@dataclass
+@dataclass(eq=False)
 class _Recording:
-    """What is to be stored of one segment; `scan_id`: its row, once it is there; `strips`: as the media store
-    names them.
-    """
+    """What is stored of one segment; `scan_id`: its row, once it is there; `told`: its vehicles so far."""
 
     segment: SegmentFacts
     belongs_to: Callable[[int | None], None] | None = None
     scan_id: int | None = None
+    told: int = 0
     waiting: list[LiveVehicle] = field(default_factory=list)
+    health: LiveHealth | None = None
     row: _Row = _Row.UNASKED
-    strips: list[StripSource] = field(default_factory=list)
-
-    @property
-    def name(self) -> str:
-        return f"Live {self.segment.began_at:%Y-%m-%d %H:%M:%S} UTC"
+    strips: list[SpooledStrip] = field(default_factory=list)
 
     @property
     def gone(self) -> bool:
         return self.row in (_Row.GONE, _Row.DELETED)
 
-    def strips_of(self, paths: Sequence[Path]) -> list[StripSource]:
+    def note_number(self) -> None:
+        """Have its journal say to which row it belongs, once that is known."""
+        if self.scan_id is not None and self.belongs_to is not None:
+            self.belongs_to(self.scan_id)
+            self.belongs_to = None
+
+    def strips_of(self, paths: Sequence[Path]) -> list[SpooledStrip]:
         """Its strips, hashed once."""
-        if not self.strips:
-            hashes = [(path.name, sha256_of(path)) for path in paths]
-            self.strips = [StripSource(name, key_of(sha256, _SUFFIX), sha256) for name, sha256 in hashes]
+        self.strips = self.strips or [SpooledStrip(path, sha256_of(path)) for path in paths]
         return self.strips
 
 
 class SurveyKeeper(Keeper):
-    """Stores vehicles as they come, with the store functions of the search and their audit events.
+    """Stores vehicles as they come, beside the stream.
 
-    A database that cannot be written delays the storing, never the stream: what waits is stored with the next
-    second. A commit whose answer is lost may have been one: what is there already is not stored again.
-    Strips are moved to the media store beside the stream, in a thread of their own, which tries again until
-    what is away or full takes them.
+    A survey that cannot be written delays the storing, never the stream: what waits is stored with the next
+    second. Strips are stored in a thread of their own, which tries again until what is away or full takes
+    them; PATIENCE_S after the end of the stream they are left to the next one. Where who writes is refused,
+    nothing is asked again.
     """
 
     keeps = True
 
-    def __init__(
-        self, services: Services, survey_id: int, rig: Rig, method: ScanMethod, say: Callable[[Said], None]
-    ) -> None:
-        self._services, self._survey_id, self._rig, self._method = services, survey_id, rig, method
-        self._say = say
+    def __init__(self, sink: Sink, say: Callable[[Said], None]) -> None:
+        self._sink, self._say = sink, say
         self._recording: _Recording | None = None
-        self._recording_of: WeakValueDictionary[int, _Recording] = WeakValueDictionary()
-        self._troubled = False
-        self._mover = ThreadPoolExecutor(1)
+        self._recording_of = dict[int, _Recording]()
+        self._troubled = self._refused = False
+        self._until: float | None = None
+        self._one_at_a_time = Lock()
+        self._storer, self._mover = ThreadPoolExecutor(1), ThreadPoolExecutor(1)
+        self.storing: Future[None] | None = None
         self._moves: list[Future[None]] = []
 
     def begin(self, segment: SegmentFacts, belongs_to: Callable[[int | None], None]) -> None:
         belongs_to(None)
-        recording = self._recording = _Recording(segment, belongs_to)
-        self._try(recording, lambda: self._store(recording))
+        self._recording = _Recording(segment, belongs_to)
+        self._store_beside(self._recording)
 
-    def take_up(self, segment: SegmentFacts | None, scan_id: int | None) -> None:
-        recording = self._recording = None if segment is None else _Recording(segment, scan_id=scan_id)
-        if recording is not None and scan_id is not None:
-            self._recording_of[scan_id] = recording
+    def take_up(self, segment: SegmentFacts | None, scan_id: int | None, told: int) -> None:
+        self._recording = None if segment is None else _Recording(segment, scan_id=scan_id, told=told)
+        if self._recording is not None and scan_id is not None:
+            self._recording_of[scan_id] = self._recording
 
     def add(self, vehicle: LiveVehicle) -> None:
-        if (recording := self._recording) is not None and not recording.gone:
-            recording.waiting.append(vehicle)
-            self._try(recording, lambda: self._store(recording))
+        if (recording := self._recording) is not None:
+            recording.told += 1
+            if not (recording.gone or self._refused):
+                recording.waiting.append(vehicle)
+                self._store_beside(recording)
 
     def hear(self, health: LiveHealth) -> None:
-        if (recording := self._recording) is None or recording.gone:
-            return
-
-        def heard() -> None:
-            scan_id = self._store(recording)
-            with self._writing() as session:
-                hear_live_scan(session, scan_id, health)
-
-        self._try(recording, heard)
+        if (recording := self._recording) is not None and not recording.gone:
+            recording.health = health
+            self._store_beside(recording)
 
     def end(self, paths: tuple[Path, Path] | None, notes: list[Said], moved: Callable[[], None]) -> None:
         recording, self._recording = self._recording, None
         if recording is None:
             moved()
             return
-        recording.belongs_to = None  # its journal is closed
+        recording.note_number()
         self._moves = [one for one in self._moves if not one.done() or one.exception()]
-        self._moves.append(self._mover.submit(self._end, recording, paths, notes, moved))
+        self._moves.append(self._mover.submit(self._end, recording, paths or (), notes, moved))
 
     def close(self) -> None:
-        """After all strips are where they belong."""
+        """After all strips are where they belong, or are left to the next stream."""
+        self._until = time.monotonic() + PATIENCE_S
         self._mover.shutdown(wait=True)
+        self._storer.shutdown(wait=True)
         for move in self._moves:
             move.result()
 
     def _end(
-        self,
-        recording: _Recording,
-        paths: tuple[Path, Path] | None,
-        notes: list[Said],
-        moved: Callable[[], None],
+        self, recording: _Recording, paths: Sequence[Path], notes: list[Said], moved: Callable[[], None]
     ) -> None:
-        warned = False
-        while True:
-            try:
-                if not recording.gone:
-                    self._store_end(recording, paths, notes)
-                elif recording.row is _Row.DELETED:
-                    # strips that were put into the media store before
-                    keys = [strip.media_key for strip in recording.strips_of(paths or ())]
-                    with self._writing() as session:
-                        let_go(session, self._survey_id, keys, None)
-                break
-            except (Away, NoRoom) as error:
-                if not warned:
-                    self._say(
-                        Said("stream-vehicles-wait", message=error.said, waiting=len(recording.waiting))
-                    )
-                warned = True
-                time.sleep(AGAIN_S)
-            except NotFound:
-                self._forget(recording)
-        if paths and recording.row is _Row.GONE:
-            self._say(Said("stream-strips-kept", recording=recording.name, first=paths[0], second=paths[1]))
+        stored = self._try_end(recording, paths, notes)
+        if not stored or (paths and recording.row is _Row.GONE):
+            if paths:
+                name, (first, second) = recording.segment.name, paths
+                self._say(Said("stream-strips-kept", recording=name, first=first, second=second))
             return
-        for path in paths or ():
+        for path in paths:
             path.unlink()  # the media store has it, or a person deleted it
         moved()
 
-    def _store_end(self, recording: _Recording, paths: tuple[Path, Path] | None, notes: list[Said]) -> None:
-        scan_id = self._store(recording)
-        with self._services.reading() as session:
-            if get_scan(session, scan_id).state != "live":
-                return  # stored by one that was killed before it had said so
-        for path, one in zip(paths or (), recording.strips_of(paths or ()), strict=True):
-            self._services.media.put_file(one.media_key, path, link=True)
-        with self._writing() as session:
-            if get_scan(session, scan_id).state != "live":
-                return  # by the try before this one
-            # those too that were stored before a kill
-            stored = list_scan_vehicles(session, scan_id, deleted=True)
-            motions = [
-                motion_of(one.measurement.values)
-                for one in stored
-                if one.origin == "found" and one.measurement is not None
-            ]
-            run = run_values(self._method, self._rig, motions, len(motions), notes)
-            add_scan_run(session, scan_id, run, actor=None)
-            end_live_scan(session, scan_id)
-            if paths is None:
-                note_reading_failed(session, scan_id, NOT_KEPT, actor=None)
-            else:
-                note_scan_recorded(session, scan_id, (recording.strips[0], recording.strips[1]), actor=None)
-                queue_reading(session, get_scan(session, scan_id), None, None)
+    def _try_end(self, recording: _Recording, paths: Sequence[Path], notes: list[Said]) -> bool:
+        """Whether its end is stored, or there is nothing to store it in."""
+        warned = False
+        while not self._refused:
+            try:
+                self._store(recording)
+                recording.note_number()
+                if recording.row is _Row.OWN:
+                    assert recording.scan_id is not None
+                    strips = recording.strips_of(paths)
+                    self._sink.end(recording.scan_id, strips, notes, recording.told)
+                elif recording.row is _Row.DELETED:
+                    self._sink.let_go(recording.strips_of(paths))
+                return True
+            except NotFound:
+                self._forget(recording)
+            except _REFUSED as error:
+                self._refuse(error)
+            except _LATER as error:
+                if not warned:
+                    self._say_waiting(recording, error)
+                warned = True
+                if self._until is not None and time.monotonic() >= self._until:
+                    return False
+                time.sleep(AGAIN_S)
+        return False
 
-    def _store(self, recording: _Recording) -> int:
-        """The recording and those of its vehicles that wait; its number."""
-        if recording.scan_id is None:
-            self._store_begin(recording)
-        assert recording.scan_id is not None
-        if recording.row is _Row.UNASKED:
-            # a journal may tell the number of another database's recording, or of an older state's
-            with self._services.reading() as session:
-                if live_scan_deleted(session, self._survey_id, recording.scan_id, recording.segment) is None:
-                    raise NotFound("stream-recording-not-there", recording=recording.name)
-            recording.row = _Row.OWN
-        if recording.waiting:
-            with self._writing() as session:
-                self._store_in(session, recording.scan_id, recording.waiting)
-            recording.waiting = []
-        return recording.scan_id
-
-    def _store_begin(self, recording: _Recording) -> None:
-        with self._writing() as session:
-            same = live_scans_of(session, self._survey_id, recording.segment)
-            # there already, by a commit that nobody heard of; not another segment's
-            own = (one for one in same if self._recording_of.get(one, recording) is recording)
-            if (scan_id := next(own, None)) is None:
-                scan_id = create_scan(
-                    session,
-                    self._survey_id,
-                    name=recording.name,
-                    source=LiveSource(),
-                    time_axis="height",
-                    rig=self._rig,
-                    actor=None,
-                ).id
-                add_live_scan(session, self._survey_id, scan_id, recording.segment, self._rig.line_rate_hz)
-            self._recording_of[scan_id] = recording
-        recording.scan_id = scan_id
-        if recording.belongs_to is not None:
-            recording.belongs_to(scan_id)
-
-    def _store_in(self, session: Session, scan_id: int, vehicles: list[LiveVehicle]) -> None:
-        told = [values_of(one.vehicle.motion, self._rig, "found") for one in vehicles]
-        stored = passings_stored(session, scan_id, [one.front_line_1 for one in told])
-        values = [one for one in told if (one.front_line_1, one.rear_line_1) not in stored]
-        if not values:
+    def _store_beside(self, recording: _Recording) -> None:
+        """Store what waits, unless that is being done: then it goes with the next second."""
+        recording.note_number()
+        if self._refused or not (self.storing is None or self.storing.done()):
             return
-        made = create_scan_vehicles(session, scan_id, len(values), origin="found", actor=None)
-        append_scan_measurements(session, scan_id, list(zip(made, values, strict=True)), actor=None)
+        if self.storing is not None:
+            self.storing.result()
+        self.storing = self._storer.submit(self._try_store, recording)
 
-    def _writing(self) -> AbstractContextManager[Session]:
-        return self._services.writing(self._survey_id)
-
-    def _forget(self, recording: _Recording) -> None:
-        """Its row is deleted or not there: nothing more of it is stored. In doubt nobody deleted it."""
-        recording.row, recording.waiting = _Row.GONE, []
-        if (scan_id := recording.scan_id) is not None:
-            with suppress(SightlineError), self._services.reading() as session:
-                if live_scan_deleted(session, self._survey_id, scan_id, recording.segment):
-                    recording.row = _Row.DELETED
-        if recording.row is _Row.DELETED:
-            self._say(Said("stream-recording-deleted", recording=recording.name))
-        else:
-            self._say(Said("stream-recording-not-there", recording=recording.name))
-
-    def _try(self, recording: _Recording, work: Callable[[], object]) -> None:
-        """Whatever the database does, the stream goes on: said once, tried again with the next second."""
+    def _try_store(self, recording: _Recording) -> None:
+        """Whatever the survey does, the stream goes on: said once, tried again with the next second."""
         try:
-            work()
+            self._store(recording)
             self._troubled = False
         except NotFound:
             self._forget(recording)
+        except _REFUSED as error:
+            self._refuse(error)
         except SightlineError as error:
             if not self._troubled:
-                waiting = len(recording.waiting)
-                self._say(Said("stream-vehicles-wait", message=error.said, waiting=waiting))
+                self._say_waiting(recording, error)
             self._troubled = True
+
+    def _store(self, recording: _Recording) -> None:
+        """The recording, unless it is gone, and what waits of it."""
+        with self._one_at_a_time:
+            if recording.gone:
+                return
+            if recording.scan_id is None:
+                segment, known = recording.segment, list(self._recording_of.items())
+                others = [one for one, its in known if its.segment.began_at == segment.began_at]
+                recording.scan_id = self._sink.begin(segment, others)
+                self._recording_of[recording.scan_id] = recording
+            if recording.row is _Row.UNASKED:
+                # a journal may tell the number of another database's recording, or of an older state's
+                if self._deleted(recording) is None:
+                    raise NotFound("stream-recording-not-there", recording=recording.segment.name)
+                recording.row = _Row.OWN
+            while recording.waiting or recording.health:
+                some, health = recording.waiting[:_AT_ONCE], recording.health
+                self._sink.add(recording.scan_id, [one.vehicle.motion for one in some], health)
+                del recording.waiting[: len(some)]
+                recording.health = None if recording.health is health else recording.health
+
+    def _deleted(self, recording: _Recording) -> bool | None:
+        """Whether its row was deleted; None: there is no such row, or it is not its own."""
+        there = {one.scan_id: one.deleted for one in self._sink.segments(recording.segment)}
+        return there.get(recording.scan_id or 0)
+
+    def _forget(self, recording: _Recording) -> None:
+        """Its row is deleted or not there: nothing more of it is stored. In doubt nobody deleted it."""
+        with self._one_at_a_time:
+            if recording.gone:
+                return
+            deleted = None
+            with suppress(SightlineError):
+                deleted = self._deleted(recording)
+            recording.row, recording.waiting = _Row.DELETED if deleted else _Row.GONE, []
+        name = recording.segment.name
+        if deleted:
+            self._say(Said("stream-recording-deleted", recording=name))
+        else:
+            self._say(Said("stream-recording-not-there", recording=name))
+
+    def _refuse(self, error: SightlineError) -> None:
+        if not self._refused:
+            self._say(Said("stream-refused", message=error.said))
+        self._refused = True
+
+    def _say_waiting(self, recording: _Recording, error: SightlineError) -> None:
+        self._say(Said("stream-vehicles-wait", message=error.said, waiting=len(recording.waiting)))

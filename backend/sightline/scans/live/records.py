@@ -54,6 +54,20 @@ class SegmentFacts:
     source: str
     began_at: datetime
 
+    @property
+    def name(self) -> str:
+        """Of its line-scan recording."""
+        return f"Live {self.began_at:%Y-%m-%d %H:%M:%S} UTC"
+
+
+@dataclass(frozen=True, slots=True)
+class LiveSegment:
+    """A recording of a segment's stream and moment, whether it has ended and whether a person deleted it."""
+
+    scan_id: int
+    ended: bool
+    deleted: bool
+
 
 class Keeper:
     """Where a stream's vehicles go besides being told: here nowhere; a survey `keeps` them."""
@@ -65,9 +79,9 @@ class Keeper:
         stored.
         """
 
-    def take_up(self, segment: SegmentFacts | None, scan_id: int | None) -> None:
+    def take_up(self, segment: SegmentFacts | None, scan_id: int | None, told: int) -> None:
         """A segment that a killed stream left is the present one, until its end (None: not kept here);
-        `scan_id`: its recording, if that was stored.
+        `scan_id`: its recording, if that was stored; `told`: how many of its vehicles were told.
         """
 
     def add(self, vehicle: LiveVehicle) -> None:

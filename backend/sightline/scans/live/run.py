@@ -293,7 +293,7 @@ class LiveRun:
             raise BadInput("commands-stream-other-rig", path=self.folder, number=f"{left.number:04}")
         self._first_id, self._stream = left.vehicles + 1, left.stream
         paths, facts = spool_paths(self.folder, left.number), _facts_of(left)
-        self._keeper.take_up(facts if left.kept else None, left.scan_id)
+        self._keeper.take_up(facts if left.kept else None, left.scan_id, _count(left))
         again, kept = self._go_back and left.source == self._name, all(path.is_file() for path in paths)
         rest = None
         if kept or not again:
@@ -353,7 +353,7 @@ class LiveRun:
         if left.kept and not self._keeper.keeps:
             return
         if left.closed:
-            self._keeper.take_up(_facts_of(left) if left.kept else None, left.scan_id)
+            self._keeper.take_up(_facts_of(left) if left.kept else None, left.scan_id, _count(left))
         paths = spool_paths(self.folder, left.number)
         kept = paths if all(path.is_file() for path in paths) else None
         self._keeper.end(kept, list(left.notes), partial(self._append, left.number, _ENDED))
@@ -381,6 +381,10 @@ class LiveRun:
 
 def _facts_of(left: Told) -> SegmentFacts:
     return SegmentFacts(left.number, left.stream, left.source, left.began_at)
+
+
+def _count(left: Told) -> int:
+    return left.vehicles + 1 - left.first_id
 
 
 def _memory_mib() -> float:

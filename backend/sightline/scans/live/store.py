@@ -2,15 +2,16 @@
 
 from collections.abc import Sequence
 from dataclasses import asdict, fields
+from datetime import datetime
 
-from sqlalchemy import ColumnElement, select, update
+from sqlalchemy import select, update
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
-from sightline.infra.database.rows import add_row
+from sightline.infra.database.rows import add_row, get_row
 from sightline.infra.database.types import now
 from sightline.messages.said import Said
-from sightline.scans.live.records import STANDARD_INPUT, LiveHealth, LiveScan, SegmentFacts
+from sightline.scans.live.records import STANDARD_INPUT, LiveHealth, LiveScan, LiveSegment, SegmentFacts
 from sightline.scans.live.tables import scan_live
 from sightline.scans.tables import scan_measurements, scan_vehicles, scans
 
@@ -25,24 +26,27 @@ def add_live_scan(
     add_row(session, scan_live, place | times)
 
 
-def live_scans_of(session: Session, survey_id: int, segment: SegmentFacts) -> Sequence[int]:
-    """The recordings that have not ended of a segment's stream and moment, newest first: its own, and that of
-    one that was taken up at its very beginning.
+def live_segments(session: Session, survey_id: int, stream: str, began_at: datetime) -> list[LiveSegment]:
+    """The recordings of a segment's stream and moment, newest first: its own, and that of one that was taken
+    up at its very beginning.
     """
-    query = select(scan_live.c.scan_id).where(*_of(survey_id, segment), scan_live.c.ended_at.is_(None))
-    return session.execute(query.order_by(scan_live.c.id.desc())).scalars().all()
-
-
-def live_scan_deleted(session: Session, survey_id: int, scan_id: int, segment: SegmentFacts) -> bool | None:
-    """Whether a segment's recording was deleted; None: there is no such recording, or it is not its own."""
-    query = select(scans.c.deleted_at).join(scan_live, scan_live.c.scan_id == scans.c.id)
-    row = session.execute(query.where(scans.c.id == scan_id, *_of(survey_id, segment))).first()
-    return None if row is None else row.deleted_at is not None
-
-
-def _of(survey_id: int, segment: SegmentFacts) -> tuple[ColumnElement[bool], ...]:
     of = scan_live.c
-    return of.survey_id == survey_id, of.stream == segment.stream, of.began_at == segment.began_at
+    query = (
+        select(of.scan_id, of.ended_at.is_not(None).label("ended"), scans.c.deleted_at)
+        .join(scans, scans.c.id == of.scan_id)
+        .where(of.survey_id == survey_id, of.stream == stream, of.began_at == began_at)
+        .order_by(of.id.desc())
+    )
+    rows = session.execute(query)
+    return [
+        LiveSegment(scan_id=row.scan_id, ended=row.ended, deleted=row.deleted_at is not None) for row in rows
+    ]
+
+
+def is_live(session: Session, scan_id: int) -> bool:
+    """Whether a stream still adds to a recording. Raises NotFound (also when it was deleted)."""
+    row = get_row(session, scans, scan_id, "line-scan recording", scans.c.deleted_at.is_(None))
+    return bool(row["state"] == "live")
 
 
 def passings_stored(session: Session, scan_id: int, front_lines: Sequence[float]) -> set[tuple[float, float]]:

@@ -25,29 +25,47 @@ def values_of(
     motion: Motion, rig: Rig, cause: Cause, *, placed_by: int | None = None, run_id: int | None = None
 ) -> ScanValues:
     """A motion as it is stored, with the scan's rig as it is at its lane; no wheels yet."""
-    crossings = motion.crossings
-    numbers: dict[str, Any] = {name: float(line) for name, line in asdict(crossings).items()}
-    numbers |= {name: _number(getattr(motion, name)) for name in _NUMBERS}
+    return values_told(measured_of(motion), rig, cause, placed_by=placed_by, run_id=run_id)
+
+
+def measured_of(motion: Motion) -> JsonObject:
+    """What was measured, by name, as a stream sends it too: all else of a revision follows from it."""
+    told: JsonObject = {name: float(line) for name, line in asdict(motion.crossings).items()}
+    told |= {name: _number(getattr(motion, name)) for name in _NUMBERS}
+    return told | {
+        "method": motion.method,
+        "axle_lines": None if motion.axle_lines is None else [float(line) for line in motion.axle_lines],
+        "lane": motion.lane,
+        "lane_by": motion.lane_by,
+        "u_boundaries_m": float(motion.u_boundaries_m),
+        "status": motion.status,
+        "reason": motion.reason,
+        "budget": [asdict(entry) for entry in motion.budget],
+        "profile": _profile(motion),
+        "warnings": list(motion.warnings),
+        "code_version": code_version(),
+    }
+
+
+def values_told(
+    told: Mapping[str, Any],
+    rig: Rig,
+    cause: Cause,
+    *,
+    placed_by: int | None = None,
+    run_id: int | None = None,
+) -> ScanValues:
+    """What `measured_of` told as it is stored."""
+    direction = Crossings(*(told[name] for name in _LINES)).direction
     return ScanValues(
         cause=cause,
         placed_by=placed_by,
         run_id=run_id,
-        method=motion.method,
-        rig=rig_for(rig, motion.lane, crossings.direction),
-        direction=crossings.direction,
-        **numbers,
+        rig=rig_for(rig, told["lane"], direction),
+        direction=direction,
         **_NO_WHEELS,
-        axle_lines=None if motion.axle_lines is None else [float(line) for line in motion.axle_lines],
-        axles_by=None if motion.axle_lines is None else "machine",
-        lane=motion.lane,
-        lane_by=motion.lane_by,
-        u_boundaries_m=float(motion.u_boundaries_m),
-        status=motion.status,
-        reason=motion.reason,
-        budget=[asdict(entry) for entry in motion.budget],
-        profile=_profile(motion),
-        warnings=list(motion.warnings),
-        code_version=code_version(),
+        axles_by=None if told["axle_lines"] is None else "machine",
+        **told,
     )
 
 
