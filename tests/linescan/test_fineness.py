@@ -7,7 +7,8 @@ import pytest
 
 from sightline.linescan.fineness import GOOD_LINE_M, carried_on, too_coarse
 from sightline.linescan.methods import MEASURE
-from sightline.linescan.parts import Rig
+from sightline.linescan.parts import Crossings, Passage, Rig
+from sightline.messages.said import Said
 from tests.linescan.scenes import RIG, SITE, found, plain, plain_found, plain_truth
 
 pytestmark = pytest.mark.once
@@ -88,3 +89,26 @@ def test_a_picture_that_shows_nothing_is_not_called_too_coarse() -> None:
     assert too_coarse(passage, RIG) is None
     assert too_coarse(replace(passage, first=flat, second=flat[: len(passage.second)]), RIG) is None
     assert SITE.line_rate_hz == RIG.line_rate_hz
+
+
+@pytest.mark.parametrize("period", [3, 5])
+def test_a_side_that_repeats_itself_is_told_no_rate_by_the_match_that_noise_made_the_best(
+    period: int,
+) -> None:
+    """Of a vehicle in few lines, which has no boundaries to go by; a side that does not repeat itself is."""
+    rng = np.random.default_rng(period)
+    by, lines, shape = 4, 90, (130, 64)
+    once = np.repeat(rng.normal(120, 25, (shape[0], 16)), 4, axis=1)
+    road = np.full(64, 120, np.float32)
+    few = Said("scan-motion-few-lines", lines=0)
+    for side, repeats in ((once, False), (np.resize(once[:period], shape), True)):
+        seen = [
+            np.clip(one + rng.normal(0, 3, one.shape), 0, 255).astype(np.uint8)
+            for one in (side[by:], side[:-by])
+        ]
+        at = Crossings(20.0, 20.0 + lines, 20.0, 20.0 + lines)
+        passage = Passage(at, seen[0], seen[1], 0, 0, road, road, 3.0, few)
+        said = too_coarse(passage, Rig(0.6, 60.0))
+        assert (said is None) == repeats
+        if said is not None:
+            assert said.values["line_mm"] == pytest.approx(600 / by, rel=0.05)

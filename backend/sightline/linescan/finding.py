@@ -341,11 +341,15 @@ class Finder:
         return abs(first - second) - 6 * self.grid.step <= 0.12 * max(first, second)
 
     def _long(self, event_1: Event, event_2: Event) -> Said | None:
-        """That it is longer than any vehicle, whatever its ends' rough lines may be off by."""
+        """That it is longer than any vehicle, whatever its ends' rough lines may be off by. Where front and
+        rear tell opposite ways, they tell no length: too few lines lie between the cameras for its direction.
+        """
         lines = (event_1.rear - event_1.front + event_2.rear - event_2.front) / 2
         shift = self._shift(event_1, event_2)
         if lines * self.baseline_m / (shift + 2 * self.grid.step) <= LENGTHS_M[1]:
             return None
+        if (event_2.front - event_1.front) * (event_2.rear - event_1.rear) < 0:
+            return too_few_lines(shift)
         length_m = lines * self.baseline_m / shift
         return Said("scan-motion-too-long", length_m=round(length_m), most_m=LENGTHS_M[1])
 

@@ -6,7 +6,9 @@ is read between them is a guess whose error no scatter tells.
 """
 
 import numpy as np
+from numpy.typing import NDArray
 
+from sightline.coverage import COVERAGE_95
 from sightline.linescan.parts import Passage, Pixels, Rig
 from sightline.linescan.rig import baseline_of
 from sightline.messages.said import Said
@@ -51,8 +53,13 @@ def too_coarse(passage: Passage, rig: Rig) -> Said | None:
     told = [one for one in carried if one is not None]
     if (delay <= 0 and not rough) or not told or sum(told) / len(told) >= LEAST_CARRIED:
         return None
-    reach = _FAR_REACH_LINES if rough else _REACH_LINES
+    # rough ends leave the delay open by half of what they contradict each other
+    open_lines = abs(c.front_line_2 - c.front_line_1 - c.rear_line_2 + c.rear_line_1) / 2
+    reach = _FAR_REACH_LINES + int(np.ceil(open_lines)) if rough else _REACH_LINES
     apart = lines_apart(passage, delay, 1.0 - rig.shadow_share, reach)
+    if rough and apart is not None:
+        # the nearer the lags, the more lines have all of them
+        apart = lines_apart(passage, apart, 1.0 - rig.shadow_share)
     if rough:
         # either way, but not at once: that is the light, or a camera that gave way
         if apart is None or abs(apart) < _LEAST_APART:
@@ -94,6 +101,7 @@ def lines_apart(passage: Passage, delay: float, upper_part: float, reach: int = 
     `delay`: lines, what the boundaries say; `upper_part`: of the rows, looked at; `reach`: so many lines
     beside the delay. Own method: the correlation of both pictures, each less its rows' means, at whole lines
     near `delay`; between them it rises and falls in straight lines, as that of lines that share nothing does.
+    A side that repeats itself matches elsewhere as well, and tells nothing (`_is_ambiguous`).
     """
     c, least, most = passage.crossings, round(delay) - reach, round(delay) + reach
     start = max(int(np.ceil(c.front_line_1)), passage.start_1, passage.start_2 - least)
@@ -106,25 +114,43 @@ def lines_apart(passage: Passage, delay: float, upper_part: float, reach: int = 
     start += max(stop - start - MOST_LINES, 0) // 2
     if len(first) < FEWEST_LINES:
         return None
-    alike = np.array(
+    of_lines = np.array(
         [
             _correlation(first, passage.second[start + lag - passage.start_2 :][: len(first)])
             for lag in range(least, most + 1)
         ]
     )
+    alike = of_lines.sum(axis=1)
     best = int(alike.argmax())
-    if not 0 < best < len(alike) - 1 or alike[best] < _LEAST_ALIKE:
+    if not 0 < best < len(alike) - 1 or alike[best] < _LEAST_ALIKE or _is_ambiguous(of_lines, best):
         return None
     before, here, after = alike[best - 1 : best + 2]
     return float(least + best + (after - before) / 2 / max(here - min(before, after), 1e-9))
 
 
-def _correlation(first: Pixels, second: Pixels) -> float:
-    """Of two pictures (lines, rows), rows that the first lacks left out; 0 where either shows nothing."""
+def _is_ambiguous(of_lines: NDArray[np.float64], best: int) -> bool:
+    """Whether the pictures match at other lags than about `best` as well as there.
+
+    `of_lines` (lags, lines): what each line brings to the correlation. Own method: a match between two lags
+    is the sum of both. Its lead over another, line by line, is a sample whose mean's standard error its own
+    scatter tells, for these lines share nothing; one that is not above 0 by COVERAGE_95 of it may be none.
+    """
+    matches = of_lines[:-1] + of_lines[1:]
+    peak = best if of_lines[best + 1].sum() > of_lines[best - 1].sum() else best - 1
+    others = np.concatenate([matches[: max(peak - 1, 0)], matches[peak + 2 :]])
+    lead = matches[peak] - others
+    error = lead.std(axis=1, ddof=1) * np.sqrt(lead.shape[1])
+    return bool((lead.sum(axis=1) <= COVERAGE_95 * error).any())
+
+
+def _correlation(first: Pixels, second: Pixels) -> NDArray[np.float64]:
+    """What each line brings to it (lines,) of two pictures (lines, rows), rows that the first lacks left out;
+    0 where either shows nothing.
+    """
     a, b = (one[:, : first.shape[1]].astype(np.float32) for one in (first, second))
     a, b = a - a.mean(axis=0), b - b.mean(axis=0)
     size = float(np.sqrt(np.vdot(a, a) * np.vdot(b, b)))
-    return float(np.vdot(a, b)) / size if size > 0 else 0.0
+    return np.asarray((a * b).sum(axis=1) / (size or 1.0), float)
 
 
 def _cut_between(picture: Pixels, front: float, rear: float, upper_part: float) -> Pixels:

@@ -9,12 +9,13 @@ import json
 import re
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, replace
 from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from sightline.linescan.parts import Crossings
+from sightline.linescan.parts import Crossings, Entry, Motion
+from sightline.linescan.passing import Ahead, keep_ahead
 from sightline.messages.said import Said
 from sightline.scans.live.records import LiveVehicle
 
@@ -45,6 +46,11 @@ class Before:
             abs(front - one) <= within or (one < self.settled and front < rear) for one, rear in self.passed
         )
 
+    def leaves_later(self, at: Crossings, within: float) -> bool:
+        """Whether one of them was not yet known to have left: the next one's gap runs from that rear."""
+        near = (abs(at.front_line_1 - front) <= within for front, _ in self.passed)
+        return at.rear_line_1 > self.settled and not any(near)
+
     def since(self, line: float) -> "Before":
         """The same where lines count from that one on."""
         passed = tuple((front - line, rear - line) for front, rear in self.passed)
@@ -56,9 +62,10 @@ class Told:
     """What is known of a segment from its journal.
 
     `began_at`: time of line 0; `begin`: number of line 0 in the followed file; `last_at`: when lines last
-    came; `first_id`, `vehicles`: numbers of its first and last vehicle; `before`: who is told; `stand`: of
-    those that stood for too long and are not told, where they came and were given up; `kept`: in a survey, as
-    `scan_id` once that is stored; `closed`: all is told; `notes`: what was said of it then.
+    came; `first_id`, `vehicles`: numbers of its first and last vehicle; `before`: who is told, `ahead`: those
+    of them that the next gap may run from; `stand`: of those that stood for too long and are not told, where
+    they came and were given up; `kept`: in a survey, as `scan_id` once that is stored; `stop`: the line at
+    which it ends, another having been begun; `closed`: all is told; `notes`: what was said of it then.
     """
 
     number: int
@@ -72,9 +79,11 @@ class Told:
     first_id: int
     vehicles: int
     before: Before
+    ahead: Ahead
     stand: tuple[Crossings, ...]
     kept: bool
     scan_id: int | None
+    stop: int | None
     closed: bool
     notes: tuple[Said, ...]
 
@@ -121,23 +130,31 @@ def last_number(folder: Path) -> int:
 
 
 def interrupted_segment(folder: Path) -> Told | None:
-    """The last segment of a folder where it was not closed: its program was killed."""
-    told = _unended(folder, last_number(folder))
-    return told if told is not None and not told.closed else None
+    """The last segment of a folder where it was not closed: its program was killed. One that was not yet
+    begun, as its journal shows, is none.
+    """
+    for number in reversed(_numbers(folder)):
+        told = _read_segment(journal_path(folder, number), number)
+        if told is not None:
+            return None if told.closed else told
+    return None
 
 
 def unmoved_segments(folder: Path) -> list[Told]:
-    """Segments that were closed and not ended: the program was killed before their strips were moved."""
-    numbers = sorted(
-        int(found[1]) for path in folder.glob("*.jsonl") if (found := _NAME.fullmatch(path.name))
-    )
-    return [told for number in numbers if (told := _unended(folder, number)) is not None and told.closed]
+    """Segments before the interrupted one that were not ended: the program was killed before their strips
+    were moved, or before it had closed them, another having been begun.
+    """
+    left = interrupted_segment(folder)
+    found = [_unended(folder, number) for number in _numbers(folder)]
+    return [told for told in found if told is not None and (left is None or told.number < left.number)]
+
+
+def _numbers(folder: Path) -> list[int]:
+    return sorted(int(found[1]) for path in folder.glob("*.jsonl") if (found := _NAME.fullmatch(path.name)))
 
 
 def _unended(folder: Path, number: int) -> Told | None:
     path = journal_path(folder, number)
-    if not path.is_file():
-        return None
     with path.open("rb") as file:
         file.seek(max(0, path.stat().st_size - _LAST_BYTES))
         if b'"ended"' in file.read():
@@ -153,9 +170,23 @@ def append(folder: Path, number: int, said: dict[str, Any]) -> None:
 
 def told_line(live_vehicle: LiveVehicle) -> dict[str, Any]:
     """What is said of a vehicle that was told."""
-    at = live_vehicle.vehicle.motion.crossings
-    lines = {"front_line": float(at.front_line_1), "rear_line": float(at.rear_line_1)}
-    return {"vehicles": live_vehicle.vehicle.number, **lines, "left_line": left_by(at)}
+    motion = live_vehicle.vehicle.motion
+    lines = {"front_line": float(motion.crossings.front_line_1), "left_line": left_by(motion.crossings)}
+    lines |= {"rear_line": float(motion.crossings.rear_line_1)}
+    return {"vehicles": live_vehicle.vehicle.number, **lines, "motion": motion_document(motion)}
+
+
+def motion_document(motion: Motion) -> dict[str, Any]:
+    """A motion as far as a gap behind it goes."""
+    said = asdict(replace(motion, profile=None, warnings=(), reason=None, axle_lines=None))
+    return said | {"reason": motion.reason and motion.reason.document}
+
+
+def _read_motion(said: dict[str, Any]) -> Motion:
+    budget = tuple(Entry(**entry) for entry in said["budget"])
+    reason = said["reason"] and Said.read(said["reason"])
+    parts = {"budget": budget, "reason": reason, "crossings": Crossings(**said["crossings"])}
+    return Motion(**{**said, **parts, "warnings": ()})
 
 
 def left_by(at: Crossings) -> float:
@@ -169,7 +200,9 @@ def _read_segment(path: Path, number: int) -> Told | None:
     if head is None or head.get("format") != FORMAT:
         return None
     known: dict[str, Any] = {"vehicles": head["first_id"] - 1, "scan_id": None, "last_at": head["began_at"]}
-    known |= {"kept": False, "closed": False, "notes": ()}
+    known |= {"kept": False, "stop": None, "closed": False, "notes": ()}
+    motions = map(_read_motion, head.get("ahead", ()))
+    ahead: Ahead = tuple((motion.crossings, motion) for motion in motions)
     stand, before = dict[float, Crossings](), Before(*head.get("before", ()))
     settled, left = max(0.0, before.settled), before.left
     passed = [(front, rear) for front, rear in before.passed]
@@ -184,10 +217,13 @@ def _read_segment(path: Path, number: int) -> Told | None:
         if "front_line" in entry:
             passed.append((entry["front_line"], entry["rear_line"]))
             left = max(left, entry.get("left_line", entry["rear_line"]))
+        if "motion" in entry:
+            motion = _read_motion(entry["motion"])
+            ahead = keep_ahead(ahead, motion.crossings, motion)
         if "closed" in entry:
             known |= {"closed": True, "notes": tuple(map(Said.read, entry["closed"]))}
         known |= {"kept": True} if "scan_id" in entry else {}
-        known |= {name: entry[name] for name in ("vehicles", "scan_id") if name in entry}
+        known |= {name: entry[name] for name in ("vehicles", "scan_id", "stop") if name in entry}
         known["last_at"] = entry.get("at", known["last_at"])
     return Told(
         number=number,
@@ -195,6 +231,7 @@ def _read_segment(path: Path, number: int) -> Told | None:
         last_at=datetime.fromisoformat(known.pop("last_at")),
         **{name: head[name] for name in ("stream", "source", "rows", "rig", "begin", "first_id")},
         before=Before.of(settled, passed, left),
+        ahead=ahead,
         stand=tuple(stand.values()),
         **known,
     )

@@ -18,6 +18,7 @@ from sightline.errors import BadInput
 from sightline.linescan import faults
 from sightline.linescan.finding import Behind, Finder
 from sightline.linescan.parts import Rig
+from sightline.linescan.passing import Ahead, move_ahead
 from sightline.linescan.rig import rig_from
 from sightline.media.lines.source import LineSource, Piece, describe_replaced
 from sightline.messages.said import Said
@@ -89,6 +90,7 @@ class LiveRun:
         self._left: Told | None = None
         self._rest: Remainder | None = None
         self._behind: Behind = ((), ())
+        self._ahead: Ahead = ()  # in the next segment's lines
         self._ticked = self._clock.steady()
         self._apart = self._clock.wall() - self._ticked
         self._began, self._number = 0.0, 0
@@ -98,8 +100,10 @@ class LiveRun:
     def vehicles(self) -> Iterator[LiveVehicle]:
         """Every vehicle as soon as it is measured; first those that a killed run had not told."""
         left = interrupted_segment(self.folder) if self.folder else None
-        for closed in unmoved_segments(self.folder) if self.folder else ():
-            self._hand_on(closed)
+        for before in unmoved_segments(self.folder) if self.folder else ():
+            if not before.closed:
+                self._close_left(before, before.stop)
+            self._hand_on(replace(before, closed=True))
         if left is not None:
             yield from self._taken_up(left)
         self.source = self._open(self._begin - self._lead)
@@ -161,26 +165,29 @@ class LiveRun:
         wrote of it.
         """
         assert self.source is not None
-        if self._left is not None:
-            self._end_left(self._left)
-            self._left = None
+        left, self._left = self._left, None
+        if left is not None:
+            self._append(left.number, {"stop": self._stop})
         came = len(piece.first) + self.source.waiting_bytes // (2 * self.rows)
         now, last_at = self._clock.now(), self.source.last_at
         # another machine's clock may be ahead, but no line comes after now
         last = now if last_at is None else min(now, datetime.fromtimestamp(last_at, UTC))
         began_at = self._resumed_at or last - timedelta(seconds=came / self.rig.line_rate_hz)
-        return self._new_segment(began_at, self._begin, (now - began_at).total_seconds())
+        end_left = partial(self._end_left, left) if left is not None else lambda: None
+        return self._new_segment(began_at, self._begin, (now - began_at).total_seconds(), end_left)
 
     def _next_segment(self, before: Segment) -> Iterator[LiveVehicle]:
         """Where the road is empty: another pair of files, from just before the lines not yet looked at."""
         yield from before.give_up()
         stop = before.settled_line
         start = max(0, stop - 2 * before.finder.margin)
-        self._behind = before.finder.behind
-        self._close(before, stop)
+        self._behind, self._ahead = before.finder.behind, move_ahead(before.ahead, -start)
+        self._first_id = before.vehicles + 1
+        before.stop_at(stop)
         again = before.lines - start
         since_s = again / self.rig.line_rate_hz
-        segment = self._new_segment(before.time_of(start), before.begin + start, since_s)
+        end_before = partial(self._close, before, stop)
+        segment = self._new_segment(before.time_of(start), before.begin + start, since_s, end_before)
         held = sum(len(one.first) for one in self._recent)
         for piece in self._recent:
             skipped = min(max(0, held - again), len(piece.first))
@@ -188,7 +195,12 @@ class LiveRun:
             if skipped < len(piece.first):
                 yield from segment.take(piece.since(skipped))
 
-    def _new_segment(self, began_at: datetime, begin: int, since_s: float) -> Segment:
+    def _new_segment(
+        self, began_at: datetime, begin: int, since_s: float, end_before: Callable[[], None]
+    ) -> Segment:
+        """The one before ends once this one is in the folder: a program that is killed between the two leaves
+        one that the next goes on from.
+        """
         number = 1 + max(self._number, last_number(self.folder) if self.folder else 0)
         facts = SegmentFacts(number, self._stream, self._name, began_at)
         make = partial(
@@ -201,6 +213,7 @@ class LiveRun:
             before=self._before,
             first_id=self._first_id,
             behind=self._behind,
+            ahead=self._ahead,
             lead=self._lead,
         )
         try:
@@ -211,9 +224,10 @@ class LiveRun:
             # The disk is full by now: that ends the keeping, not the stream.
             self._say(Said("stream-lines-not-stored", strerror=error.strerror))
             segment = make(None)
+        end_before()
         self._number = number
         self._segment, self._began = segment, self._clock.steady() - since_s
-        self._before, self._lead = Before(), 0
+        self._before, self._lead, self._ahead = Before(), 0, ()
         self._keeper.begin(facts, segment.belongs_to)
         return segment
 
@@ -231,7 +245,7 @@ class LiveRun:
 
     def _close(self, segment: Segment, stop: int | None) -> None:
         self._keeper.hear(self._health(segment))
-        self._first_id, self._segment = segment.vehicles + 1, None
+        self._segment = None
         notes = self._losses(segment) + faults.notes_of(segment.finder)
         for sentence in [*segment.close(notes, stop), *notes]:
             self._say(sentence)
@@ -317,6 +331,7 @@ class LiveRun:
         cut = cut if cut > 2 * margin else settled
         start, self._stop = max(0, cut - 2 * margin), max(cut, left_by)
         self._begin, self._before = left.begin + start, left.before.since(start)
+        self._ahead = move_ahead(left.ahead if rest is None else rest.ahead, -start)
         self._lead = self._begin - learnt_from
         self._resumed_at = left.began_at + timedelta(seconds=start / self.rig.line_rate_hz)
         self._left, self._rest = left, rest
@@ -338,14 +353,18 @@ class LiveRun:
         """Lines come again: the killed segment ends in the empty road before who is not yet told, or after
         the last rear of those who are told.
         """
+        self._say(Said("stream-resumed", begin=self._begin, name=self._name))
+        self._close_left(left, self._stop)
+        self._hand_on(left)
+
+    def _close_left(self, left: Told, stop: int | None) -> None:
+        """The files of a segment that a killed run left end there."""
         assert self.folder is not None
         paths = spool_paths(self.folder, left.number)
-        if all(path.is_file() for path in paths) and not trim_to_common_lines(paths, self._stop):
+        if all(path.is_file() for path in paths) and not trim_to_common_lines(paths, stop):
             for path in paths:
                 path.unlink()
-        self._say(Said("stream-resumed", begin=self._begin, name=self._name))
         self._append(left.number, {"closed": []})
-        self._hand_on(left)
 
     def _hand_on(self, left: Told) -> None:
         """Give the strips of a segment that a killed run left to who keeps them."""

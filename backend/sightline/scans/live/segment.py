@@ -15,7 +15,7 @@ from sightline.enums import ScanMethod
 from sightline.linescan.background import Road, first_road
 from sightline.linescan.finding import BEGIN_S, Behind, Finder
 from sightline.linescan.parts import STOOD, Crossings, Passage, Rig
-from sightline.linescan.passing import Follower
+from sightline.linescan.passing import Ahead, Follower
 from sightline.media.lines.source import Lines, Lost, Piece
 from sightline.media.strips.notes import Dropped, columns_of
 from sightline.media.strips.spool import Spool, SpooledLines
@@ -26,6 +26,7 @@ from sightline.scans.live.journal import (
     Told,
     journal_path,
     left_by,
+    motion_document,
     spool_paths,
     told_line,
 )
@@ -70,8 +71,9 @@ class Segment:
     """Lines that are counted from 0, one finder, a pair of files (`folder` None: not kept).
 
     `begin`: number of line 0 in a followed file; `before`: vehicles that are already told; `first_id`: number
-    of the first vehicle; `behind`: roads behind who stands and was told; `lead`: so many lines come before
-    line 0, from which the road is learnt: they are of the segment before, and are not kept again.
+    of the first vehicle; `behind`: roads behind who stands and was told; `ahead`: who was told before, in
+    this segment's lines; `lead`: so many lines come before line 0, from which the road is learnt: they are of
+    the segment before, and are not kept again.
     """
 
     def __init__(
@@ -86,6 +88,7 @@ class Segment:
         before: Before = Before(),
         first_id: int = 1,
         behind: Behind = ((), ()),
+        ahead: Ahead = (),
         lead: int = 0,
     ) -> None:
         self.facts, self.rig, self.lines, self._lead = facts, rig, -lead, lead
@@ -96,10 +99,10 @@ class Segment:
         self._more = False  # of those that were complete at once, some are yet to be told
         self._before, self.begin = before, begin
         self.paths = spool_paths(folder, facts.number) if folder else None
-        self._follower = Follower(rig, method, self._columns, first_id)
+        self._follower = Follower(rig, method, self._columns, first_id, ahead)
         head = {"stream": facts.stream, "source": facts.source, "rows": rows, "rig": asdict(rig)}
         head |= {"began_at": facts.began_at.isoformat(), "begin": begin, "first_id": first_id}
-        head |= {"before": astuple(before)}
+        head |= {"before": astuple(before), "ahead": [motion_document(motion) for _, motion in ahead]}
         with ExitStack() as made:
             spools: list[Spool | None] = [None, None]
             for at, path in enumerate(self.paths or ()):
@@ -145,6 +148,10 @@ class Segment:
         """Say in the journal that a vehicle has been told."""
         settled = {} if self._more else {"settled": self._settled_before}
         self._write({**told_line(live_vehicle), **settled, "stand": self._stand()})
+
+    def stop_at(self, line: int) -> None:
+        """Say in the journal that another segment goes on from there."""
+        self._write({"stop": line})
 
     def belongs_to(self, scan_id: int | None) -> None:
         self._write({"scan_id": scan_id})
@@ -192,7 +199,10 @@ class Segment:
         for left, found in zip(range(len(passages) - 1, -1, -1), passages, strict=True):
             self._more = left > 0
             passage = _move_passage(found, -self._lead, 0.0 if always else -inf)
-            counted = always or not self._before.has(passage.crossings.front_line_1, self.finder.spans.guard)
+            guard = self.finder.spans.guard
+            counted = always or not self._before.has(passage.crossings.front_line_1, guard)
+            if not counted and not self._before.leaves_later(passage.crossings, guard):
+                continue
             dropped = (self.cameras[0].dropped, self.cameras[1].dropped)
             vehicle = self._follower.next(without_losses(passage, dropped), counted=counted)
             if counted and vehicle is not None:
@@ -203,8 +213,15 @@ class Segment:
 
     @property
     def _settled_before(self) -> int:
-        """For the journal: a front lies half a line before the first line that shows it."""
-        return max(0, self.settled_line - 1)
+        """For the journal: a front is looked for in its picture, which begins a margin before the line that
+        shows it.
+        """
+        return max(0, self.settled_line - self.finder.margin)
+
+    @property
+    def ahead(self) -> Ahead:
+        """Who was told and the next gap may run from."""
+        return self._follower.ahead
 
     def _stand(self) -> list[list[float]]:
         """Lines of those that nobody waits for, and that are told when they have left."""
@@ -241,7 +258,9 @@ class Remainder:
         self._told = list[Crossings]()
         dropped = (self._spooled[0].dropped, self._spooled[1].dropped)
         first_id = left.vehicles + 1
-        self._follower = Follower(rig, method, lambda crossings: columns_of(crossings, *dropped), first_id)
+        self._follower = Follower(
+            rig, method, lambda crossings: columns_of(crossings, *dropped), first_id, left.ahead
+        )
         behind = (
             self._roads(0, [at.front_line_1 for at in left.stand]),
             self._roads(1, [at.front_line_2 for at in left.stand]),
@@ -283,10 +302,17 @@ class Remainder:
     @property
     def before(self) -> Before:
         """Who is told by now."""
-        settled = max(self._before.settled, self._start + self.finder.settled_line - 1.0)
+        settled = max(
+            self._before.settled, self._start + float(self.finder.settled_line - self.finder.margin)
+        )
         passed = [(at.front_line_1, at.rear_line_1) for at in self._told]
         left = max([self._before.left, *map(left_by, self._told)])
         return Before.of(settled, [*self._before.passed, *passed], left)
+
+    @property
+    def ahead(self) -> Ahead:
+        """Who was told and the next gap may run from."""
+        return self._follower.ahead
 
     def begins(self, start: int, piece: Piece) -> bool:
         """Whether a piece shows the lines that were taken from `start` on, as far as it goes."""
@@ -301,8 +327,10 @@ class Remainder:
         dropped = (self._spooled[0].dropped, self._spooled[1].dropped)
         for passage in passages:
             moved = _move_passage(passage, self._start)
-            counted = not self._before.has(moved.crossings.front_line_1, self.finder.spans.guard)
-            yield from self._tell_vehicle(without_losses(moved, dropped), counted=counted)
+            guard = self.finder.spans.guard
+            counted = not self._before.has(moved.crossings.front_line_1, guard)
+            if counted or self._before.leaves_later(moved.crossings, guard):
+                yield from self._tell_vehicle(without_losses(moved, dropped), counted=counted)
 
     def _roads(self, camera: int, fronts: Sequence[float]) -> list[Road]:
         """What the lines before these fronts show."""
