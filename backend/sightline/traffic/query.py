@@ -112,9 +112,9 @@ class ArchiveTables:
         read = f"{_read_parquet_sql(passed)} UNION ALL BY NAME {_NOBODY}" if passed else _NOBODY
         self._db.execute(f"CREATE OR REPLACE TEMP VIEW passed AS {read}")
         self._db.execute(_CUT_OFF)
-        marks = find_marks(self._rows(_RECORDINGS), self._rows(_MAY_STAND))
-        for query, marked in zip((_STOOD_BEFORE, _TOLD), marks, strict=True):
-            self._db.execute(query, [[key for key, _ in marked], [one for _, one in marked]])
+        stood, told = find_marks(self._rows(_RECORDINGS), self._rows(_MAY_STAND))
+        self._db.execute(_STOOD_BEFORE, [[key for key, _ in stood], [lane for _, lane in stood]])
+        self._db.execute(_TOLD, [[key for key, _ in told], [number for _, number in told]])
         self._db.execute(_VEHICLES)
         return True
 

@@ -24,6 +24,7 @@ from sightline.linescan.parts import Rig, front_seen
 from sightline.linescan.rig import at_lane, sound_rig_from, speed_ratio_of
 from sightline.linescan.traffic import Stream
 from sightline.messages.said import Said
+from sightline.recordings.filming import Filming
 from sightline.scans.statistics.service import VehicleMotion
 from sightline.scans.statistics.traffic import (
     Clock,
@@ -272,7 +273,7 @@ def _of_archive(folder: Path) -> Iterator[Results]:
                 watched, first = watched_of(row, site), row["first"]
                 yield Results(
                     watched.name,
-                    watched.clock,
+                    Filming(first["start_at"], first["zone"]),
                     watched.watched_s,
                     _motions(
                         [_passing_of_row(one) for one in vehicles],
