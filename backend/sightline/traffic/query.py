@@ -66,20 +66,20 @@ class ArchiveTables:
         return [
             Site(site=site, **row)
             for site in sites_of(self._folder)
-            if self._read(site, Asked())
-            for row in self._rows(_LANES)
+            if self._load_site(site, Asked())
+            for row in self._fetch_rows(_LANES)
         ]
 
     def recordings(self, site: str) -> list[tuple[dict[str, Any], list[dict[str, Any]]]]:
         """A site's recordings, each with its vehicles as the archive has them; those `told_before` count
         elsewhere.
         """
-        if not self._read(site, Asked()):
+        if not self._load_site(site, Asked()):
             return []
         passed: dict[str, list[dict[str, Any]]] = {}
-        for row in self._rows("SELECT * EXCLUDE (passed_at) FROM vehicles ORDER BY passed_at"):
+        for row in self._fetch_rows("SELECT * EXCLUDE (passed_at) FROM vehicles ORDER BY passed_at"):
             passed.setdefault(row["recording_sha256"], []).append(row)
-        return [(row, passed.get(row["recording_sha256"], [])) for row in self._rows(_RECORDINGS)]
+        return [(row, passed.get(row["recording_sha256"], [])) for row in self._fetch_rows(_RECORDINGS)]
 
     def intervals(self, asked: Asked) -> Iterator[dict[str, Any]]:
         """One dictionary an interval, lane and class: `COLUMNS` and the percentiles', rising in time.
@@ -88,12 +88,12 @@ class ArchiveTables:
         where nothing was measured.
         """
         for site in asked.sites or sites_of(self._folder):
-            if self._read(site, asked):
-                for row in self._rows(_intervals_sql(asked)):
+            if self._load_site(site, asked):
+                for row in self._fetch_rows(_intervals_sql(asked)):
                     yield _row_of_interval(row, site, asked)
 
-    def _read(self, site: str, asked: Asked) -> bool:
-        """Put one site's `vehicles` and `watched` for `_rows`, of recordings on the days asked for and on the
+    def _load_site(self, site: str, asked: Asked) -> bool:
+        """Put one site's `vehicles` and `watched` for queries, of recordings on the days asked for and on the
         day before from their beginnings on; whether there are any. Who stands may have come days before. Who
         stood at the end of an older one is not known: to ask them all takes as long as all days.
         """
@@ -112,13 +112,13 @@ class ArchiveTables:
         read = f"{_read_parquet_sql(passed)} UNION ALL BY NAME {_NOBODY}" if passed else _NOBODY
         self._db.execute(f"CREATE OR REPLACE TEMP VIEW passed AS {read}")
         self._db.execute(_CUT_OFF)
-        stood, told = find_marks(self._rows(_RECORDINGS), self._rows(_MAY_STAND))
+        stood, told = find_marks(self._fetch_rows(_RECORDINGS), self._fetch_rows(_MAY_STAND))
         self._db.execute(_STOOD_BEFORE, [[key for key, _ in stood], [lane for _, lane in stood]])
         self._db.execute(_TOLD, [[key for key, _ in told], [number for _, number in told]])
         self._db.execute(_VEHICLES)
         return True
 
-    def _rows(self, query: str) -> list[dict[str, Any]]:
+    def _fetch_rows(self, query: str) -> list[dict[str, Any]]:
         result = self._db.execute(query)
         names = [one[0] for one in result.description or ()]
         return [dict(zip(names, row, strict=True)) for row in result.fetchall()]
