@@ -234,7 +234,7 @@ def test_a_folder_is_read_file_by_file(tmp_path: Path, capsys: pytest.CaptureFix
 
 
 def test_an_archive_agrees_with_its_own_figures(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Two computations that share no code: DuckDB's over Parquet, and this."""
+    """Two computations that share only who counts: DuckDB's over Parquet, and this."""
     zone = "Europe/Paris"
     stood = Stood("Hill", "near", zone, instant_of("2026-05-04T05:00", zone), 0.1)
     add_recorded(tmp_path, recorded(4, 500, 7200.0), stood)

@@ -4,20 +4,27 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
+from dataclasses import replace
 from datetime import datetime, timedelta
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from sightline.commands.scanned import Start, about_rig, cell_of, row_of
 from sightline.linescan.parts import CUT, STOOD, STOPPED, Lane, Rig
 from sightline.linescan.passing import measure_passages
+from sightline.scans.statistics.traffic import seen_in_each, traffic_of_seen
 from sightline.traffic.archive import add_recorded
 from sightline.traffic.query import ArchiveTables
 from sightline.traffic.records import Asked, Stood
+from sightline.traffic.results import results_in
 from sightline.traffic.sources import read_recorded
 from tests.linescan.scenes import SLOW_RIG, found, two_standing
+from tests.support.proofs import PROOFS
 from tests.traffic.flow_files import (
     LINE_0,
     RATE_HZ,
@@ -157,6 +164,15 @@ def counted_in(capsys: pytest.CaptureFixture[str], kept: str, place: Path) -> tu
     return [name.removeprefix("Hill: ") for name in listed], counted
 
 
+def counted_in_survey(paths: Sequence[Path]) -> int:
+    """How many the intervals of a survey, or of a package of it, count of the recordings."""
+    results = [one for path in paths for one in results_in(path)[0]]
+    watched = [replace(one.seen.watched, scan_id=at) for at, one in enumerate(results)]
+    cars = [replace(car, scan_id=at) for at, one in enumerate(results) for car in one.vehicles]
+    found = traffic_of_seen(seen_in_each(watched, cars), 60, accepted_only=False)
+    return sum(one.vehicles for scan in found for one in scan.intervals)
+
+
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     place = tmp_path / "recordings"
@@ -195,6 +211,90 @@ def test_who_is_cut_beside_one_that_stands_counts_once(
     ]
     place = kept_as(kept, tmp_path, paths)
     assert counted_in(capsys, kept, place) == (["a.json", "a.json"], 2)
+
+
+BACK = {"direction": "camera_2_first"}
+
+
+@pytest.mark.parametrize("kept", ["folder", "archive"])
+@pytest.mark.parametrize(
+    ("rigs", "cars", "counted"),
+    [
+        # one of unknown lane stands, and another one drives through
+        ((LANED, LANED, LANED), ([STANDS], [passing(30.0)], [IN_VIEW]), 3),
+        # lanes were told to the rig meanwhile
+        ((RIG, LANED), ([STANDS], [IN_VIEW | {"lane": "near"}]), 1),
+        # of a two-way road without lanes, the other way was driven
+        ((RIG, RIG, RIG), ([STANDS], [passing(30.0) | BACK], [IN_VIEW]), 2),
+    ],
+)
+def test_a_folder_a_survey_and_an_archive_count_by_one_rule(
+    rigs: Sequence[Rig],
+    cars: Sequence[Sequence[dict[str, Any]]],
+    counted: int,
+    kept: str,
+    folder: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Of an archive 2, 2 and 3 were counted, by a rule of its own."""
+    paths = [
+        held(folder / f"{at}.json", 600.0 * at, own, rig)
+        for at, (rig, own) in enumerate(zip(rigs, cars, strict=True))
+    ]
+    assert counted_in(capsys, kept, kept_as(kept, tmp_path, paths))[1] == counted_in_survey(paths) == counted
+
+
+_CAR = st.one_of(
+    st.floats(1.0, 590.0).map(passing),
+    st.just(STANDS | {"rear_line_1": 2.9e6, "rear_s": 580.0, "reason": str(STOPPED)}),
+)
+_STREAM = st.tuples(st.sampled_from(["near", "far", None]), st.booleans())
+
+
+@st.composite
+def _recordings(draw: st.DrawFn) -> list[tuple[float, Rig, list[dict[str, Any]]]]:
+    """When each begins, by what rig, and who passed: at most one of a stream is in view, one stands."""
+    found, begins_s = [], 0.0
+    for _ in range(draw(st.integers(1, 4))):
+        rig, cars = draw(st.sampled_from([RIG, LANED])), list[dict[str, Any]]()
+        for lane, back in draw(st.lists(_STREAM, max_size=4, unique=True)):
+            shown = [
+                *draw(st.lists(_CAR, max_size=2)),
+                *draw(st.sampled_from([[], [IN_VIEW], [STANDS], [IN_VIEW, STANDS], [_STAYS]])),
+            ]
+            way = {"lane": lane if rig.lanes else None, **(BACK if back else {})}
+            cars += [one | way for one in shown]
+        found.append((begins_s, rig, cars))
+        begins_s += 600.0 + draw(st.sampled_from([0.0, 0.05, 30.0, 100.0]))
+    return found
+
+
+_STAYS = IN_VIEW | {"rear_line_1": 3e6, "rear_s": 600.0}
+
+
+@settings(max_examples=200 if PROOFS else 8)
+@given(_recordings())
+def test_a_folder_and_an_archive_agree_on_who_is_counted(
+    recordings: list[tuple[float, Rig, list[dict[str, Any]]]],
+) -> None:
+    with TemporaryDirectory() as name:
+        place = Path(name)
+        (place / "folder").mkdir()
+        paths = [
+            held(place / "folder" / f"{at}.json", begins_s, cars, rig)
+            for at, (begins_s, rig, cars) in enumerate(recordings)
+        ]
+        kept_as("archive", place, paths)
+        with ArchiveTables(place / "archive") as tables:
+            by_hour = sum(row["vehicles"] for row in tables.intervals(Asked()))
+            by_site = sum(site.vehicles for site in tables.sites())
+        counted = counted_in_survey(paths)
+        by_flow = [
+            sum(not car.told_before for one in results_in(kept)[0] for car in one.vehicles)
+            for kept in (place / "folder", place / "archive")
+        ]
+    assert [by_hour, by_site, *by_flow] == 4 * [counted]
 
 
 @pytest.mark.parametrize("kept", ["folder", "archive"])

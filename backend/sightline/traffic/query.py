@@ -26,11 +26,12 @@ from typing import Any
 import duckdb
 
 from sightline.infra.local_time import zone_of
-from sightline.linescan.parts import AT_END_S, CUT, GOES_ON_S, STANDS_S, STOOD, STOPPED
+from sightline.linescan.parts import CUT, STANDS_S, STOOD, STOPPED
 from sightline.linescan.traffic import class_names
 from sightline.statistics.distributions import too_few_for, vehicles_for_interval
 from sightline.traffic.archive import ROUGH_S, SHARED_S, VEHICLES, WATCHED, files_of, sites_of
 from sightline.traffic.records import Asked, Site
+from sightline.traffic.standing import find_marks
 
 _MEMORY, _THREADS = "1GB", 2
 _DAY_MINUTES = 24 * 60
@@ -62,33 +63,23 @@ class ArchiveTables:
 
     def sites(self) -> list[Site]:
         """Every lane of every site, and how much there is of it."""
-        lanes = []
-        for site in sites_of(self._folder):
-            rows = self._query_rows(
-                """
-                WITH lanes AS (
-                  SELECT lane, any_value(zone) AS zone, count(DISTINCT recording_sha256) AS recordings,
-                    min(day) AS first_day, max(day) AS last_day, count(DISTINCT day) AS days,
-                    sum(to_s - from_s) AS watched_s
-                  FROM watched GROUP BY lane
-                ), passed AS (
-                  SELECT lane, count(*) AS vehicles, count(*) FILTER (status = 'ok') AS measured
-                  FROM vehicles WHERE NOT told_before GROUP BY lane
-                )
-                SELECT lanes.*, coalesce(vehicles, 0) AS vehicles, coalesce(measured, 0) AS measured
-                FROM lanes LEFT JOIN passed USING (lane) ORDER BY lane
-                """,
-                site,
-                Asked(),
-            )
-            lanes += [Site(site=site, **row) for row in rows]
-        return lanes
+        return [
+            Site(site=site, **row)
+            for site in sites_of(self._folder)
+            if self._load_site(site, Asked())
+            for row in self._fetch_rows(_LANES)
+        ]
 
-    def vehicles(self, site: str) -> list[dict[str, Any]]:
-        """A site's vehicles as the archive has them; those `told_before` count elsewhere."""
-        return self._query_rows(
-            "SELECT * EXCLUDE (passed_at) FROM vehicles ORDER BY passed_at", site, Asked()
-        )
+    def recordings(self, site: str) -> list[tuple[dict[str, Any], list[dict[str, Any]]]]:
+        """A site's recordings, each with its vehicles as the archive has them; those `told_before` count
+        elsewhere.
+        """
+        if not self._load_site(site, Asked()):
+            return []
+        passed: dict[str, list[dict[str, Any]]] = {}
+        for row in self._fetch_rows("SELECT * EXCLUDE (passed_at) FROM vehicles ORDER BY passed_at"):
+            passed.setdefault(row["recording_sha256"], []).append(row)
+        return [(row, passed.get(row["recording_sha256"], [])) for row in self._fetch_rows(_RECORDINGS)]
 
     def intervals(self, asked: Asked) -> Iterator[dict[str, Any]]:
         """One dictionary an interval, lane and class: `COLUMNS` and the percentiles', rising in time.
@@ -97,18 +88,19 @@ class ArchiveTables:
         where nothing was measured.
         """
         for site in asked.sites or sites_of(self._folder):
-            for row in self._query_rows(_intervals_sql(asked), site, asked):
-                yield _row_of_interval(row, site, asked)
+            if self._load_site(site, asked):
+                for row in self._fetch_rows(_intervals_sql(asked)):
+                    yield _row_of_interval(row, site, asked)
 
-    def _query_rows(self, query: str, site: str, asked: Asked) -> list[dict[str, Any]]:
-        """Rows of a query over one site's `vehicles` and `watched`, of recordings on the days asked for and
-        the day before from their beginnings on: who stands may have come days before. Who stood at the end
-        of an older one is not known: to ask them all takes as long as all days.
+    def _load_site(self, site: str, asked: Asked) -> bool:
+        """Put one site's `vehicles` and `watched` for queries, of recordings on the days asked for and on the
+        day before from their beginnings on; whether there are any. Who stands may have come days before. Who
+        stood at the end of an older one is not known: to ask them all takes as long as all days.
         """
         first = asked.first_day and date.fromordinal(max(asked.first_day.toordinal() - 1, 1))
         shown = files_of(self._folder, WATCHED, site, first, asked.last_day)
         if not shown:
-            return []
+            return False
         recordings = {Path(one).name for one in shown}
         watched, passed = (
             [one for one in files if Path(one).name in recordings]
@@ -119,8 +111,14 @@ class ArchiveTables:
         self._db.execute(_WATCHED.format(_read_parquet_sql(watched)))
         read = f"{_read_parquet_sql(passed)} UNION ALL BY NAME {_NOBODY}" if passed else _NOBODY
         self._db.execute(f"CREATE OR REPLACE TEMP VIEW passed AS {read}")
-        self._db.execute(_TOLD_BEFORE)
-        self._db.execute(_STOOD_BEFORE)
+        self._db.execute(_CUT_OFF)
+        stood, told = find_marks(self._fetch_rows(_RECORDINGS), self._fetch_rows(_MAY_STAND))
+        self._db.execute(_STOOD_BEFORE, [[key for key, _ in stood], [lane for _, lane in stood]])
+        self._db.execute(_TOLD, [[key for key, _ in told], [number for _, number in told]])
+        self._db.execute(_VEHICLES)
+        return True
+
+    def _fetch_rows(self, query: str) -> list[dict[str, Any]]:
         result = self._db.execute(query)
         names = [one[0] for one in result.description or ()]
         return [dict(zip(names, row, strict=True)) for row in result.fetchall()]
@@ -166,7 +164,7 @@ SELECT NULL::DATE AS day, NULL::VARCHAR AS lane, NULL::VARCHAR AS status, NULL::
   NULL::DOUBLE AS occupied_s, NULL::DOUBLE AS speed_mps, NULL::DOUBLE AS u_speed_mps,
   NULL::DOUBLE AS length_m, NULL::DOUBLE AS time_gap_s, NULL::DOUBLE AS front_line_1,
   NULL::INTEGER AS number, false AS told_before, NULL::TIMESTAMPTZ AS passed_at, NULL::VARCHAR AS reason,
-  NULL::VARCHAR AS recording_sha256 WHERE false
+  NULL::VARCHAR AS direction, NULL::DOUBLE AS rear_s, NULL::VARCHAR AS recording_sha256 WHERE false
 """
 
 #: Where segments of a stream overlap, the first one watched.
@@ -176,64 +174,66 @@ SELECT * EXCLUDE (before_s) REPLACE (if(before_s - from_s > 0.001, before_s, fro
 FROM (SELECT *, max(epoch(midnight_at) + to_s) OVER (PARTITION BY lane ORDER BY start_at, day
   ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING) - epoch(midnight_at) AS before_s FROM ({}))
 """
-#: Who came while another segment watched was told of that one; who was cut by its end, of the next one, where
-#: that had begun by then.
-_TOLD_BEFORE = f"""
-CREATE OR REPLACE TEMP TABLE begun AS
-SELECT recording_sha256, lane, any_value(start_at) AS start_at, min(epoch(midnight_at) + from_s) AS from_s
-FROM watched GROUP BY recording_sha256, lane;
-CREATE OR REPLACE TEMP TABLE cut AS
-SELECT passed.recording_sha256, number, passed.lane, epoch(passed_at) AS passed_s,
-  later.recording_sha256 AS told_in
-FROM passed JOIN begun USING (recording_sha256, lane)
-JOIN begun AS later ON passed.lane IN (later.lane, '') AND later.start_at > begun.start_at
-  AND epoch(passed_at) - epoch(later.start_at) BETWEEN 0 AND {SHARED_S}
-WHERE reason = '{_CUT}' AND front_line_1 > 0;
-CREATE OR REPLACE TEMP VIEW passings AS
-SELECT * EXCLUDE (start_at, from_s) REPLACE (
-  coalesce(told_before, false) OR epoch(passed_at) < least(from_s - 0.001, (
-    SELECT min(passed_s) - {ROUGH_S} FROM cut
-    WHERE told_in = passed.recording_sha256 AND cut.lane IN (passed.lane, '')))
-  OR (recording_sha256, number) IN (SELECT (cut.recording_sha256, cut.number) FROM cut) AS told_before)
-FROM passed JOIN begun USING (recording_sha256, lane)
+_LANES = """
+WITH lanes AS (
+  SELECT lane, any_value(zone) AS zone, count(DISTINCT recording_sha256) AS recordings,
+    min(day) AS first_day, max(day) AS last_day, count(DISTINCT day) AS days, sum(to_s - from_s) AS watched_s
+  FROM watched GROUP BY lane
+), passed AS (
+  SELECT lane, count(*) AS vehicles, count(*) FILTER (status = 'ok') AS measured
+  FROM vehicles WHERE NOT told_before GROUP BY lane
+)
+SELECT lanes.*, coalesce(vehicles, 0) AS vehicles, coalesce(measured, 0) AS measured
+FROM lanes LEFT JOIN passed USING (lane) ORDER BY lane
 """
-
-#: Who stood when a recording ended that another goes on from, in a minute at most; one of unknown lane in
-#: any. `later_s`: the longest time that nobody watched since it stood. All that are in view as one goes on at
-#: once are told of the one before.
-_STOOD_BEFORE = f"""
+#: Of each recording its first stretch of time, how long it is, and its lanes.
+_RECORDINGS = """
+SELECT recording_sha256, any_value(watched) AS first, list(DISTINCT lane) AS lanes,
+  max(epoch(midnight_at) + to_s) - epoch(any_value(start_at)) AS watched_s
+FROM watched GROUP BY recording_sha256 ORDER BY any_value(start_at), recording_sha256
+"""
+#: Who was cut by the end of a segment, told of the next one where that had begun by then.
+_CUT_OFF = f"""
 CREATE OR REPLACE TEMP TABLE days AS
 SELECT day, any_value(day_s) AS day_s, epoch(any_value(midnight_at)) AS begin_s FROM watched GROUP BY day;
 CREATE OR REPLACE TEMP TABLE ends AS
-SELECT recording_sha256, lane, min(begin_s + from_s) AS first_s, max(begin_s + to_s) AS end_s,
-  count(*) OVER (PARTITION BY recording_sha256) > 1 AS has_lanes
+SELECT recording_sha256, lane, any_value(start_at) AS start_at, min(begin_s + from_s) AS first_s,
+  max(begin_s + to_s) AS end_s, count(*) OVER (PARTITION BY recording_sha256) > 1 AS has_lanes
 FROM watched JOIN days USING (day) GROUP BY recording_sha256, lane;
-CREATE OR REPLACE TEMP TABLE shown AS
-SELECT recording_sha256, lane, count(speed_mps) > 0 AS driven, bool_or(front_line_1 <= 0) AS in_view,
-  list({{length_m: length_m, reason: reason, until_s: begin_s + since_midnight_s + occupied_s}})
-    FILTER (reason IN ('{_STOOD}', '{_STOPPED}')) AS rested
-FROM passings JOIN days USING (day) GROUP BY recording_sha256, lane;
+CREATE OR REPLACE TEMP TABLE cut AS
+SELECT passed.recording_sha256, number, passed.lane, epoch(passed_at) AS passed_s,
+  later.recording_sha256 AS told_in
+FROM passed JOIN ends USING (recording_sha256, lane)
+JOIN ends AS later ON passed.lane IN (later.lane, '') AND later.start_at > ends.start_at
+  AND epoch(passed_at) - epoch(later.start_at) BETWEEN 0 AND {SHARED_S}
+WHERE reason = '{_CUT}' AND front_line_1 > 0
+"""
+#: Whom `find_who_stood` asks for: who is in view where a recording begins, and of those alike the last.
+_MAY_STAND = f"""
+SELECT recording_sha256, lane, direction, reason, status = 'ok' AND speed_mps IS NOT NULL AS measured,
+  if(front_line_1 <= 0, number, NULL) AS in_view, any_value(number) AS number,
+  min(front_line_1) AS front_line_1, max(rear_s) AS rear_s
+FROM passed WHERE front_line_1 <= 0 OR measured OR reason IN ('{_STOOD}', '{_STOPPED}')
+GROUP BY recording_sha256, lane, direction, reason, measured, in_view
+"""
+_STOOD_BEFORE = """
 CREATE OR REPLACE TEMP TABLE stood_before AS
-WITH RECURSIVE stands AS (
-  SELECT recording_sha256, lane, unnest(rested, recursive := true) FROM shown
-), stood_before AS (
-  SELECT next.*, length_m, stands.lane AS own_lane, next.first_s - ends.end_s AS later_s
-  FROM stands JOIN ends USING (recording_sha256, lane)
-  JOIN ends AS next ON next.lane = ends.lane OR (ends.lane = '' AND ends.has_lanes)
-  WHERE next.first_s BETWEEN ends.end_s - 0.001 AND ends.end_s + {STANDS_S}
-    AND (reason = '{_STOOD}' OR until_s > ends.end_s - {AT_END_S})
-  UNION
-  SELECT next.*, length_m, own_lane, greatest(later_s, next.first_s - ends.end_s)
-  FROM stood_before AS ends ANTI JOIN shown
-    ON shown.recording_sha256 = ends.recording_sha256
-    AND ((shown.lane = ends.lane AND driven) OR (shown.lane = ends.own_lane AND in_view))
-  JOIN ends AS next USING (lane)
-  WHERE next.first_s BETWEEN ends.end_s - 0.001 AND ends.end_s + {STANDS_S}
-) FROM stood_before;
+SELECT unnest($1::VARCHAR[]) AS recording_sha256, unnest($2::VARCHAR[]) AS lane
+"""
+_TOLD = """
+CREATE OR REPLACE TEMP TABLE told AS
+SELECT unnest($1::VARCHAR[]) AS recording_sha256, unnest($2::INTEGER[]) AS number
+UNION SELECT recording_sha256, number FROM cut
+"""
+#: Who came while another segment watched was told of that one.
+_VEHICLES = f"""
 CREATE OR REPLACE TEMP VIEW vehicles AS
-SELECT * REPLACE (told_before OR (front_line_1 <= 0 AND reason IS NOT NULL AND recording_sha256 IN (
-  SELECT recording_sha256 FROM stood_before WHERE later_s <= {GOES_ON_S})) AS told_before)
-FROM passings
+SELECT * EXCLUDE (start_at, first_s, end_s, has_lanes) REPLACE (
+  coalesce(told_before, false) OR epoch(passed_at) < least(first_s - 0.001, (
+    SELECT min(passed_s) - {ROUGH_S} FROM cut
+    WHERE told_in = passed.recording_sha256 AND cut.lane IN (passed.lane, '')))
+  OR (recording_sha256, number) IN (SELECT (told.recording_sha256, told.number) FROM told) AS told_before)
+FROM passed JOIN ends USING (recording_sha256, lane)
 """
 
 
@@ -303,9 +303,10 @@ def _intervals_sql(asked: Asked) -> str:
       FROM stood JOIN ends USING (recording_sha256, lane)
       JOIN days ON since_s < begin_s + day_s AND least(coalesce(stands_s, next_s), end_s) > begin_s
       UNION ALL
-      SELECT lane, days.day, length_m, greatest(first_s - days.begin_s, 0) AS from_s,
+      SELECT lane, days.day, NULL AS length_m, greatest(first_s - days.begin_s, 0) AS from_s,
         least(end_s - days.begin_s, days.day_s) AS until_s
-      FROM stood_before JOIN days ON first_s < days.begin_s + days.day_s AND end_s > days.begin_s
+      FROM stood_before JOIN ends USING (recording_sha256, lane)
+      JOIN days ON first_s < days.begin_s + days.day_s AND end_s > days.begin_s
     ), unsure_cells AS (
       SELECT *, unnest(range(floor(from_s / {step})::BIGINT, ceil(until_s / {step})::BIGINT)) AS nth
       FROM rear_unseen

@@ -32,11 +32,10 @@ from sightline.scans.statistics.traffic import (
     Seen,
     StoodBefore,
     Watched,
-    find_who_stood,
     mark_told_before,
     traffic_of_seen,
 )
-from sightline.traffic.archive import WATCHED, require_archive, sites_of, watched_rows
+from sightline.traffic.archive import WATCHED, require_archive, sites_of
 from sightline.traffic.records import Passing
 from sightline.traffic.sources import (
     bytes_of,
@@ -47,6 +46,7 @@ from sightline.traffic.sources import (
     u_told,
     vehicles_in,
 )
+from sightline.traffic.standing import watched_of
 
 ENDINGS = (".csv", ".json", ".jsonl")
 #: A table that spans more is of several recordings, or has a wrong date.
@@ -73,7 +73,7 @@ class StatedClock:
 class Results:
     """The vehicles of one recording, from `clock`'s start on; `watched_s` None: it is not said how long;
     `u_start_told`: whether the u of its start is known, without which its times of day have none; `rig` None:
-    not told; `stood`: who may have stood when another just before it ended.
+    not told; `lanes`: see `Watched`; `stood`: who may have stood when another just before it ended.
     """
 
     name: str
@@ -83,6 +83,7 @@ class Results:
     site: str = ""
     u_start_told: bool = True
     rig: Rig | None = None
+    lanes: frozenset[str] = frozenset()
     stood: Sequence[StoodBefore] = ()
 
     @cached_property
@@ -104,7 +105,9 @@ class Results:
     def _on_clock(self, clock: Clock, watched_s: float | None, by_s: float) -> Seen:
         cars = [replace(one, since_s=(one.since_s or 0.0) + by_s) for one in self.vehicles]
         stated = self.watched_s is not None
-        watched = Watched(0, self.name, clock, watched_s, rig=self.rig, site=self.site, end_stated=stated)
+        watched = Watched(
+            0, self.name, clock, watched_s, rig=self.rig, site=self.site, end_stated=stated, lanes=self.lanes
+        )
         return Seen(watched, cars, stood=self.stood)
 
 
@@ -123,10 +126,9 @@ def results_in(place: Path) -> tuple[list[Results], list[str]]:
         return [_of_data(place, bytes_of(place))], []
     if (place / WATCHED).is_dir():
         results, others = list(_of_archive(place)), list[str]()
-        seen = find_who_stood([one.seen for one in results])
     else:
         results, others = _in_folder(place)
-        seen = mark_told_before([one.seen for one in results])
+    seen = mark_told_before([one.seen for one in results])
     marked = [
         replace(one, vehicles=tuple(each.vehicles), stood=each.stood)
         for one, each in zip(results, seen, strict=True)
@@ -265,28 +267,23 @@ def _of_archive(folder: Path) -> Iterator[Results]:
     from sightline.traffic.query import ArchiveTables
 
     require_archive(folder)
-    for site in sites_of(folder):
-        watched: dict[str, list[dict[str, Any]]] = {}
-        for row in watched_rows(folder, site):
-            watched.setdefault(row["recording_sha256"], []).append(row)
-        passed: dict[str, list[Passing]] = {}
-        with ArchiveTables(folder) as tables:
-            for row in tables.vehicles(site):
-                passed.setdefault(row["recording_sha256"], []).append(_passing_of_row(row))
-        for key, rows in sorted(watched.items(), key=lambda each: each[1][0]["start_at"]):
-            first = rows[0]
-            watched_s = sum(each["to_s"] - each["from_s"] for each in rows if each["lane"] == first["lane"])
-            cars = passed.get(key, [])
-            yield Results(
-                f"{site}: {first['recording']}",
-                Filming(first["start_at"], first["zone"]),
-                watched_s,
-                _motions(
-                    cars, u_start_s=first["u_start_s"] or None, u_rate=u_told(first, "u_line_rate_ratio")
-                ),
-                site,
-                u_start_told=first["u_start_s"] > 0,
-            )
+    with ArchiveTables(folder) as tables:
+        for site in sites_of(folder):
+            for row, vehicles in tables.recordings(site):
+                watched, first = watched_of(row, site), row["first"]
+                yield Results(
+                    watched.name,
+                    Filming(first["start_at"], first["zone"]),
+                    watched.watched_s,
+                    _motions(
+                        [_passing_of_row(one) for one in vehicles],
+                        u_start_s=first["u_start_s"] or None,
+                        u_rate=u_told(first, "u_line_rate_ratio"),
+                    ),
+                    site,
+                    u_start_told=first["u_start_s"] > 0,
+                    lanes=watched.lanes,
+                )
 
 
 def _passing_of_row(row: Mapping[str, Any]) -> Passing:

@@ -41,8 +41,8 @@ class Clock(Protocol):
 class Watched:
     """A line scan as traffic sees it: its clock (None: the start is not confirmed), how long it is by its
     line rate (None: lines are not counted), its rig (None: not told), at which of several places it was, the
-    hash of camera 1's strip, of which video of the place that was cut (empty: not told), and whether its end
-    is stated.
+    hash of camera 1's strip, of which video of the place that was cut (empty: not told), whether its end is
+    stated, and its lanes where several cameras of the place have each their own (none: not told).
     """
 
     scan_id: int
@@ -54,6 +54,7 @@ class Watched:
     strip_sha256: str = ""
     video: str = ""
     end_stated: bool = True
+    lanes: frozenset[str] = frozenset()
 
     @property
     def span_s(self) -> tuple[float, float] | None:
@@ -67,7 +68,7 @@ class Watched:
         """Whether the same vehicles may pass both: of one strip or video they do; two rigs are two places."""
         if self.strip_sha256 and self.strip_sha256 == other.strip_sha256:
             return True
-        if self.site != other.site:
+        if self.site != other.site or (self.lanes and other.lanes and self.lanes.isdisjoint(other.lanes)):
             return False
         if self.video and self.video == other.video:
             return True
