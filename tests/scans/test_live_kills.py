@@ -65,6 +65,10 @@ class Writing:
     def close(self) -> None:
         self._file.close()
 
+    @property
+    def closed(self) -> bool:
+        return self._file.closed
+
     def __enter__(self) -> Writing:
         return self
 
