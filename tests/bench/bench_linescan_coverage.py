@@ -9,8 +9,8 @@ half is left out), KEEP (a file of the vehicles measured so far: a run that was 
 was). Asked of every cell: coverage 0.93 to 0.97 and z rms 0.9 to 1.1, for speed, acceleration, length, time
 gap and distance gap. With N = 100 a share of 0.95 has a standard deviation of 0.022, a z rms of 0.07: cells
 that miss by no more than two of those are counted apart. The chain was worked on with seeds 101-111, 201-231,
-501-505, 9901, 9903, and 3100, 3150, 4100 here; 3250, 4300, 9000 to 9800, 9904, 9905, 10000, 10100 to 10600, 10250
-and 10260 have been seen. One table takes an hour or more of processor time.
+501-505, 9901, 9903, 9905, and 3100, 3150, 4100 here; 3250, 4300, 9000 to 9800, 9904, 10000, 10100 to 10600,
+10250 and 10260 have been seen. One table takes an hour or more of processor time.
 """
 
 from __future__ import annotations
