@@ -151,7 +151,7 @@ class SurveyKeeper(Keeper):
         self._sink, self._say = sink, say
         self._recording: _Recording | None = None
         self._recording_of = dict[int, _Recording]()
-        self._troubled = self._refused = False
+        self._troubled = self._refused = self._left = False
         self._until: float | None = None
         self._one_at_a_time = Lock()
         self._storer, self._mover = ThreadPoolExecutor(1), ThreadPoolExecutor(1)
@@ -213,7 +213,7 @@ class SurveyKeeper(Keeper):
     def _try_end(self, recording: _Recording, paths: Sequence[Path], notes: list[Said]) -> bool:
         """Whether its end is stored, or there is nothing to store it in."""
         warned = False
-        while not self._refused:
+        while not (self._refused or self._left):
             try:
                 self._store(recording)
                 recording.note_number()
@@ -233,8 +233,12 @@ class SurveyKeeper(Keeper):
                     self._say_waiting(recording, error)
                 warned = True
                 if self._until is not None and time.monotonic() >= self._until:
+                    self._left = True
                     return False
                 time.sleep(AGAIN_S)
+            except SightlineError as error:
+                self._say_waiting(recording, error)
+                return False
         return False
 
     def _store_beside(self, recording: _Recording) -> None:
