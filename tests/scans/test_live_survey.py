@@ -6,7 +6,7 @@ import json
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
@@ -324,20 +324,21 @@ def test_an_end_that_is_refused_is_said_at_once_and_one_that_is_left_holds_up_no
 
     monkeypatch.setattr(sink, "end", end)
     monkeypatch.setattr(keeping, "PATIENCE_S", 0.0)
+    monkeypatch.setattr(keeping, "AGAIN_S", 0.05)
     why.append(BadInput("stream-strip-changed", name="0001-camera-1.tif"))
-    for number in range(1, 4):
-        paths = tmp_path / f"{number}-camera-1.tif", tmp_path / f"{number}-camera-2.tif"
-        for path in paths:
-            path.write_bytes(path.name.encode())
-        at = datetime(2026, 5, 3, 12, number, tzinfo=UTC)
-        keeper.begin(SegmentFacts(number, "sign", "lines.raw", at), lambda _: None)
-        stored(keeper)
-        keeper.end(paths, [], lambda: None)
-        if number == 1:
-            until(lambda: len(said) == 2)
-            assert "does not arrive" in said[0] and str(paths[0]) in said[1]
-            why[:] = [Away("database-no-answer")]
-    keeper.close()
+    with closing(keeper):
+        for number in range(1, 4):
+            paths = tmp_path / f"{number}-camera-1.tif", tmp_path / f"{number}-camera-2.tif"
+            for path in paths:
+                path.write_bytes(path.name.encode())
+            at = datetime(2026, 5, 3, 12, number, tzinfo=UTC)
+            keeper.begin(SegmentFacts(number, "sign", "lines.raw", at), lambda _: None)
+            stored(keeper)
+            keeper.end(paths, [], lambda: None)
+            if number == 1:
+                until(lambda: len(said) == 2)
+                assert "does not arrive" in said[0] and str(paths[0]) in said[1]
+                why[:] = [Away("database-no-answer")]
     assert [one for one in asked if one != 2] == [1] and len(list(tmp_path.glob("*-camera-*.tif"))) == 6
     assert sum("the next stream with this folder" in one for one in said) == 3
 
