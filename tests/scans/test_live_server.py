@@ -10,6 +10,7 @@ from pathlib import Path
 from threading import Event
 from typing import Any
 
+import numpy as np
 import pytest
 from urllib3 import HTTPResponse
 
@@ -19,7 +20,7 @@ from sightline.commands.remote_sink import RemoteSink
 from sightline.errors import Away, BadInput
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.services import Services
-from sightline.linescan.parts import Crossings, Lane, Motion
+from sightline.linescan.parts import Crossings, Lane, Motion, Profile
 from sightline.messages.said import Said
 from sightline.people.token_store import list_api_tokens, revoke_api_token
 from sightline.recordings.uploads.store import strips_waiting, unfinished_uploads
@@ -395,6 +396,25 @@ def test_a_wrong_number_is_not_stored(hill: Services) -> None:
         with pytest.raises(BadInput, match="No stream is recording"):
             sink.add(scan_id, [right], None)
     assert [len(some) for some in vehicles_of(hill)] == [1]
+
+
+def test_the_longest_vehicles_that_waited_fit_into_a_request(hill: Services) -> None:
+    column, many = np.full(10_000, 1e5 / 3), keeping._AT_ONCE
+    profile = Profile(column, column, column, np.zeros(len(column), bool))
+    motions = [
+        Motion(
+            "paper",
+            Crossings(front, front + 200.0, front + 40.0, front + 240.0),
+            "ok",
+            profile=profile,
+            **ENOUGH,
+        )
+        for front in range(many)
+    ]
+    with served(hill) as port, Remote(f"http://127.0.0.1:{port}", token_of(hill, *SCOPES)) as remote:
+        sink = RemoteSink(remote, 1, CAMERAS, "paper")
+        sink.add(sink.begin(SEGMENT, []), motions, HEALTH)
+    assert [len(some) for some in vehicles_of(hill)] == [many]
 
 
 @pytest.mark.dialect

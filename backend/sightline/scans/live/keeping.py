@@ -27,7 +27,8 @@ _SUFFIX = ".spool.tif"
 AGAIN_S = 1.0
 #: So long after the end of the stream strips wait for what is away; then for the next stream.
 PATIENCE_S = 120.0
-_AT_ONCE = 10
+#: Two of the longest profiles are no larger than a request may be.
+_AT_ONCE = 2
 _LATER = (Away, Busy, NoRoom, TooMany)
 _REFUSED = (NotAllowed, NotSignedIn)
 
