@@ -10,7 +10,9 @@ from pathlib import Path
 from threading import Event
 from typing import Any
 
+import numpy as np
 import pytest
+from urllib3 import HTTPResponse
 
 from sightline.cli import main
 from sightline.commands.remote import Remote
@@ -18,13 +20,14 @@ from sightline.commands.remote_sink import RemoteSink
 from sightline.errors import Away, BadInput
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.services import Services
-from sightline.linescan.parts import Crossings, Motion
+from sightline.linescan.parts import Crossings, Lane, Motion, Profile
 from sightline.messages.said import Said
 from sightline.people.token_store import list_api_tokens, revoke_api_token
 from sightline.recordings.uploads.store import strips_waiting, unfinished_uploads
 from sightline.scans.live import keeping
 from sightline.scans.live.keeping import SurveyKeeper
 from sightline.scans.live.records import LiveVehicle, SegmentFacts
+from sightline.scans.live.service import live_streams
 from sightline.scans.records import ScanVehicle
 from sightline.scans.store import list_scans
 from sightline.scans.vehicles.motion import measured_of, values_of
@@ -32,6 +35,7 @@ from sightline.scans.vehicles.store import get_scan_vehicle, list_scan_vehicles
 from tests.support.app import Client
 from tests.support.events import events_of
 from tests.support.relay import Relay
+from tests.support.scanning_ground import upload_strip
 from tests.support.served import served
 from tests.support.streaming import CAMERAS, HEALTH, STREAM, Place, stored, token_of
 from tests.support.working import run_jobs
@@ -238,7 +242,7 @@ def test_a_server_that_is_away_for_a_while_delays_nothing_but_the_storing(
 
     with served(hill) as port, Relay("127.0.0.1", port) as relay:
         monkeypatch.setattr(SurveyKeeper, "_say_waiting", say_waiting)
-        after(1, lambda: setattr(relay, "shut", True), monkeypatch)
+        after(1, relay.close_all, monkeypatch)
         after(3, back, monkeypatch)
         there = ("--server", f"http://127.0.0.1:{relay.port}", "--spool", str(tmp_path / "spool"))
         assert main([*STREAM, "--survey", "Hill", *there, *followed]) == 0
@@ -303,6 +307,39 @@ def test_a_server_that_does_not_answer_holds_up_no_stream(hill: Services) -> Non
         assert [one.state for one in list_scans(session, 1)] == ["failed"]  # no lines were kept
 
 
+def nested(deep: int) -> dict[str, Any]:
+    """A sentence that nobody could be answered with."""
+    said: dict[str, Any] = {"code": "scan-motion-cut", "values": {}}
+    for _ in range(deep):
+        said = {"code": "scan-motion-no-wheelbase", "values": {"reason": said}}
+    return said
+
+
+@pytest.mark.parametrize("status", [200, 302, 403, 404])
+def test_what_something_on_the_way_says_is_no_word_of_the_servers(
+    hill: Services, monkeypatch: pytest.MonkeyPatch, status: int
+) -> None:
+    """A network to sign in to, a proxy whose server restarts: the stream goes on, and is stored."""
+    said = list[str]()
+    with served(hill) as port, Remote(f"http://127.0.0.1:{port}", token_of(hill, *SCOPES)) as remote:
+        keeper = SurveyKeeper(RemoteSink(remote, 1, CAMERAS, "direct"), lambda one: said.append(str(one)))
+        keeper.begin(SEGMENT, lambda _: None)
+        stored(keeper)
+        with monkeypatch.context() as patched:
+            page = HTTPResponse(b"<html>", {"Content-Type": "text/html"}, status)
+            patched.setattr(remote._pool, "request", lambda *_given, **_named: page)
+            keeper.hear(HEALTH)
+            stored(keeper)
+        keeper.hear(replace(HEALTH, lines=7))
+        stored(keeper)
+        keeper.end(None, [], lambda: None)
+        keeper.close()
+    assert len(said) == 1 and "not as Sightline does" in said[0]
+    with hill.reading() as session:
+        (stream,) = live_streams(session, 1)
+    assert stream.state == "ended" and stream.health is not None and stream.health.lines == 7
+
+
 ENOUGH: dict[str, Any] = {"speed_mps": 20.0, "u_speed_mps": 0.1, "acceleration_mps2": 0.0}
 ENOUGH |= {"u_acceleration_mps2": 0.1, "length_m": 4.0, "u_length_m": 0.02}
 
@@ -310,6 +347,9 @@ ENOUGH |= {"u_acceleration_mps2": 0.1, "length_m": 4.0, "u_length_m": 0.02}
 WRONG: list[dict[str, Any]] = [
     {"speed_mps": float("nan")},
     {"speed_mps": None},
+    {"speed_mps": -20.0},
+    {"length_m": 0.0},
+    {"u_speed_mps": 0.0},
     {"u_length_m": -0.1},
     {"length_m": float("inf")},
     {"reason": {"code": "scan-motion-cut", "values": {}}},
@@ -318,9 +358,13 @@ WRONG: list[dict[str, Any]] = [
     {"status": "not_measurable", "reason": {"code": "a\x00", "values": {}}},
     {"warnings": [{"code": "scan-motion-cut", "values": {"a": 10**400}}]},
     {"warnings": [3]},
+    {"warnings": [nested(100)]},
+    {"warnings": [nested(150)]},
     {"rear_line_1": 1.0},
     {"correlation": 1.5},
     {"lane": "left", "lane_by": "machine"},
+    {"lane": "near", "lane_by": "person"},
+    {"lane": "near"},
     {"lane_by": "machine"},
     {"profile": {"line_1": [1.0], "speed_mps": [], "fitted_mps": [1.0], "used": [True]}},
     {"budget": [{"source": "x", "u_speed_mps": 0.1, "u_acceleration_mps2": 0.1}]},
@@ -334,20 +378,43 @@ def test_a_wrong_number_is_not_stored(hill: Services) -> None:
     with served(hill) as port, Remote(f"http://127.0.0.1:{port}", token_of(hill, *SCOPES)) as remote:
         sink = RemoteSink(remote, 1, CAMERAS, "direct")
         scan_id = sink.begin(SEGMENT, [])
+        rig = asdict(replace(CAMERAS, lanes=(Lane("near", 3.0),)))
         for wrong in WRONG:
-            body = {"rig": sink._rig, "vehicles": [{**measured_of(right), **wrong}], "health": None}
+            body = {"rig": rig, "vehicles": [{**measured_of(right), **wrong}], "health": None}
             with pytest.raises(BadInput):
                 remote.write(f"/scans/{scan_id}/live", body)
             assert vehicles_of(hill) == [[]], wrong
-        for wrong in ({"saturated": (0.0, 1.1)}, {"light_dn": (float("nan"), None)}):
+        for wrong in ({"saturated": (0.0, 1.1)}, {"light_dn": (float("nan"), None)}, {"lines": 2**53}):
             with pytest.raises(BadInput):
                 sink.add(scan_id, [], replace(HEALTH, **wrong))
-        sink.add(scan_id, [right], None)
+        for year in (1, 9999):
+            with pytest.raises(BadInput):
+                sink.begin(replace(SEGMENT, began_at=SEGMENT.began_at.replace(year=year)), [])
+        sink.add(scan_id, [right, right], None)
         sink.end(scan_id, [], [], 1)
         sink.end(scan_id, [], [], 1)
         with pytest.raises(BadInput, match="No stream is recording"):
             sink.add(scan_id, [right], None)
     assert [len(some) for some in vehicles_of(hill)] == [1]
+
+
+def test_the_longest_vehicles_that_waited_fit_into_a_request(hill: Services) -> None:
+    column, many = np.full(10_000, 1e5 / 3), keeping._AT_ONCE
+    profile = Profile(column, column, column, np.zeros(len(column), bool))
+    motions = [
+        Motion(
+            "paper",
+            Crossings(front, front + 200.0, front + 40.0, front + 240.0),
+            "ok",
+            profile=profile,
+            **ENOUGH,
+        )
+        for front in range(many)
+    ]
+    with served(hill) as port, Remote(f"http://127.0.0.1:{port}", token_of(hill, *SCOPES)) as remote:
+        sink = RemoteSink(remote, 1, CAMERAS, "paper")
+        sink.add(sink.begin(SEGMENT, []), motions, HEALTH)
+    assert [len(some) for some in vehicles_of(hill)] == [many]
 
 
 @pytest.mark.dialect
@@ -363,6 +430,8 @@ def test_a_recording_is_begun_added_to_and_ended_once(
         scan_id = operator.post(f"/surveys/{survey_id}/live", {**new, "others": []}).json()["id"]
         assert operator.post(f"/scans/{scan_id}/live", more).status_code == 204
     another = operator.post(f"/surveys/{survey_id}/live", {**new, "others": [scan_id]}).json()["id"]
+    alone = upload_strip(operator, survey_id, b"II*\0", "first.tif")
+    assert operator.post(f"/scans/{scan_id}/live/end", {**end, "first_upload": alone}).status_code == 422
     for _ in range(2):
         assert operator.post(f"/scans/{scan_id}/live/end", end).status_code == 204
     of = {"stream": "sign", "began_at": began_at}

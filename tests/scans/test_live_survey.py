@@ -6,7 +6,7 @@ import json
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
@@ -16,6 +16,7 @@ import pytest
 from sqlalchemy import select, text, update
 
 from sightline.cli import main
+from sightline.errors import Away, BadInput, SightlineError
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.database.engine import DatabaseAway
 from sightline.infra.database.types import now
@@ -212,12 +213,16 @@ def test_a_killed_stream_of_a_survey_is_taken_up(
         assert main([*STREAM, *place.where, "--follow", str(path)]) == 2
         assert "Another stream writes into" in capsys.readouterr().err
         live.kill()
-    with services.writing() as session:
-        session.execute(update(scan_live).values(heard_at=now() - timedelta(minutes=3)))
-    assert streams_of(services)[0].state == "stopped"
-    with services.reading() as session:
-        (left,) = list_scans(session, 1)
-    assert (left.state, scan_body(left).stream_state) == ("live", "stopped")
+
+    def stopped() -> bool:
+        with services.writing() as session:  # what it had sent before may be heard after that
+            session.execute(update(scan_live).values(heard_at=now() - timedelta(minutes=3)))
+        with services.reading() as session:
+            (left,) = list_scans(session, 1)
+        states = streams_of(services)[0].state, left.state, scan_body(left).stream_state
+        return states == ("stopped", "live", "stopped")
+
+    until(stopped)
     path.write_bytes(lines)
     assert main([*STREAM, *place.where, "--follow", str(path), "--until-idle", "0.3"]) == 0
     assert "and nothing is missing" in capsys.readouterr().err
@@ -306,11 +311,45 @@ def test_strips_of_a_stream_that_was_killed_while_its_end_waited_are_moved_by_th
     assert scan.state == "ready"
 
 
-@pytest.mark.parametrize("there", ["nothing", "another", "deleted"])
+def test_an_end_that_is_refused_is_said_at_once_and_one_that_is_left_holds_up_no_other(
+    place: Place, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As the server refuses it; then while it is away, so that all strips are left to the next stream."""
+    sink, said, asked = place.sink(), list[str](), list[int]()
+    keeper, why = SurveyKeeper(sink, lambda one: said.append(str(one))), list[SightlineError]()
+
+    def end(scan_id: int, *_given: Any) -> None:
+        asked.append(scan_id)
+        raise why[0]
+
+    monkeypatch.setattr(sink, "end", end)
+    monkeypatch.setattr(keeping, "PATIENCE_S", 0.0)
+    monkeypatch.setattr(keeping, "AGAIN_S", 0.05)
+    why.append(BadInput("stream-strip-changed", name="0001-camera-1.tif"))
+    with closing(keeper):
+        for number in range(1, 4):
+            paths = tmp_path / f"{number}-camera-1.tif", tmp_path / f"{number}-camera-2.tif"
+            for path in paths:
+                path.write_bytes(path.name.encode())
+            at = datetime(2026, 5, 3, 12, number, tzinfo=UTC)
+            keeper.begin(SegmentFacts(number, "sign", "lines.raw", at), lambda _: None)
+            stored(keeper)
+            keeper.end(paths, [], lambda: None)
+            if number == 1:
+                until(lambda: len(said) == 2)
+                assert "does not arrive" in said[0] and str(paths[0]) in said[1]
+                why[:] = [Away("database-no-answer")]
+    assert [one for one in asked if one != 2] == [1] and len(list(tmp_path.glob("*-camera-*.tif"))) == 6
+    assert sum("the next stream with this folder" in one for one in said) == 3
+
+
+@pytest.mark.parametrize("there", ["nothing", "another", "deleted", "deleted unheard of"])
 def test_strips_are_deleted_only_where_a_person_deleted_their_recording(
     place: Place, services: Services, tmp_path: Path, there: str
 ) -> None:
-    """A database restored from before the recording, another database, and one where it was deleted."""
+    """A database restored from before the recording, another database, and one where it was deleted; that
+    also where a kill, or a lost answer, kept its number from the journal.
+    """
     at, said = datetime(2026, 5, 3, 12, 0, tzinfo=UTC), list[str]()
     segment = SegmentFacts(1, "sign", "lines.raw", at)
 
@@ -318,20 +357,20 @@ def test_strips_are_deleted_only_where_a_person_deleted_their_recording(
         return SurveyKeeper(place.sink(), lambda one: said.append(one.sentence()))
 
     if there != "nothing":
-        other, before = segment if there == "deleted" else replace(segment, stream="other"), keeper()
+        other, before = replace(segment, stream="other") if there == "another" else segment, keeper()
         before.begin(other, lambda _: None)
         stored(before)
-    if there == "deleted":
+    deleted = there.startswith("deleted")
+    if deleted:
         with services.writing() as session:
             remove_scan(session, 1, actor=None)
     paths = (tmp_path / "0001-camera-1.tif", tmp_path / "0001-camera-2.tif")
     for path in paths:
         path.write_bytes(path.name.encode())
     ended, again = list[bool](), keeper()
-    again.take_up(segment, 1, 0)
+    again.take_up(segment, None if there == "deleted unheard of" else 1, 0)
     again.end(paths, [], lambda: ended.append(True))
     again.close()
-    deleted = there == "deleted"
     assert [path.is_file() for path in paths] == [not deleted] * 2 and bool(ended) == deleted
     assert any("was deleted while" in one for one in said) == deleted
     assert any(str(paths[0]) in one and str(paths[1]) in one for one in said) != deleted

@@ -7,6 +7,8 @@ import time
 from contextlib import suppress
 from typing import Self
 
+from tests.support.waiting import until
+
 
 class Relay:
     """Passes bytes between who connects to `port` and a server, until its connections are frozen.
@@ -50,6 +52,11 @@ class Relay:
                 self._selector.unregister(end)
             self._frozen.update(fresh)
         return len(fresh) // 2
+
+    def close_all(self) -> None:
+        """Be shut; returns when no connection is left."""
+        self.shut = True
+        until(lambda: not self._selector.get_map())
 
     def _accept(self) -> None:
         while not self._ended:

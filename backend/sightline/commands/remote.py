@@ -26,6 +26,7 @@ _STORED_S = 900.0
 PATIENCE_S = 120.0
 _RETRY_S = 2.0
 _TUS = {"Tus-Resumable": "1.0.0"}
+_JSON = "application/json"
 _ERRORS: Mapping[int, type[SightlineError]] = {
     401: NotSignedIn,
     403: NotAllowed,
@@ -157,16 +158,19 @@ class Remote:
             answer = self._pool.request(method, address, body=body, headers=sent, timeout=timeout)
         except HTTPError as error:
             raise Away("import-no-answer", url=self.url) from error
-        if answer.status >= 300:
+        kind = answer.headers.get("Content-Type", _JSON)
+        if answer.status >= 300 or not kind.startswith(_JSON):
             raise _error_of(answer, self.url)
         return answer
 
 
 def _error_of(answer: BaseHTTPResponse, url: str) -> SightlineError:
-    """What the server said, as it said it; it may be another version, with other sentences."""
-    kind = _ERRORS.get(answer.status, Away if answer.status >= 500 else BadInput)
+    """What the server said, as it said it; it may be another version, with other sentences. What something
+    on the way to it says, as a proxy or the page of a network to sign in to, is no word of Sightline's.
+    """
     try:
         sentence = str(answer.json()["error"]["message"]).rstrip(".")
     except (ValueError, KeyError, TypeError):
-        return kind("import-no-sightline", url=url, status=answer.status)
+        return Away("import-no-sightline", url=url, status=answer.status)
+    kind = _ERRORS.get(answer.status, Away if answer.status >= 500 else BadInput)
     return kind("import-server-said", sentence=sentence)

@@ -5621,6 +5621,7 @@ scans-read-already = { $name } was already imported; there is nothing to do.
 scans-import-failed = { $name } could not be imported; see its error and try again.
 scans-strips-taken-along = Another recording with the same strips was deleted meanwhile; these are read again.
 scans-not-live = No stream is recording { $name }; nothing can be added to it.
+scans-live-one-strip = Both strips or none must be given; send the upload that is missing, or neither.
 scans-measured-contradicts = The values of the vehicle at line { $line } contradict each other; send them as they were measured.
 scans-still-being-recorded = { $name } is still being recorded; its image is available when this part of the stream ends.
 scans-not-ready = { $name } is still being imported; wait until it is ready.

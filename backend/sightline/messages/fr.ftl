@@ -5679,6 +5679,7 @@ scans-read-already = { $name } a déjà été importé ; il n’y a rien à fa
 scans-import-failed = { $name } n’a pas pu être importé ; voyez son erreur et réessayez.
 scans-strips-taken-along = Un autre enregistrement ayant les mêmes bandes a été supprimé entre-temps ; elles sont relues.
 scans-not-live = Aucun flux n’enregistre { $name } ; rien ne peut y être ajouté.
+scans-live-one-strip = Il faut donner les deux bandes ou aucune ; envoyez le téléversement qui manque, ou aucun.
 scans-measured-contradicts = Les valeurs du véhicule à la ligne { $line } se contredisent ; envoyez-les telles qu’elles ont été mesurées.
 scans-still-being-recorded = { $name } est encore en cours d’enregistrement ; son image sera disponible quand cette partie du flux se terminera.
 scans-not-ready = { $name } est encore en cours d’import ; attendez qu’il soit prêt.

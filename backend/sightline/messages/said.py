@@ -28,6 +28,8 @@ _TEXT = "said"
 _NAME = re.compile(r"[A-Za-z0-9_-]{1,100}")
 #: JSON keeps these whole.
 _MOST_COUNT = 2**53
+#: of sayings within sayings
+_MOST_DEEP = 30
 # A line has no second line, and no sign turns the order of the others round.
 _UNSEEN = re.compile(r"[\x00-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
 
@@ -139,12 +141,13 @@ class Said:
         )
 
 
-def _is_sound(said: Said) -> bool:
-    """Whether it is of names and values that can be stored, as whoever sends it may have made it."""
+def _is_sound(said: Said, deep: int = 0) -> bool:
+    """Whether it is of names and values that can be stored and said, as whoever sends it may have made it."""
     each = said.values.values()
     return (
-        all(map(_NAME.fullmatch, (said.code, *said.values)))
-        and all(_is_sound(one) for one in each if isinstance(one, Said))
+        deep < _MOST_DEEP
+        and all(map(_NAME.fullmatch, (said.code, *said.values)))
+        and all(_is_sound(one, deep + 1) for one in each if isinstance(one, Said))
         and all(abs(one) < _MOST_COUNT for one in each if isinstance(one, int))
     )
 

@@ -1,13 +1,14 @@
 """Bodies of live streams: what a computer at the roadside sends of its recording. Metres, seconds, lines."""
 
 from collections.abc import Mapping
+from datetime import UTC, datetime
 from typing import Annotated, Any
 
 from pydantic import AwareDatetime, Field
 
 from sightline.enums import ScanMethod
 from sightline.errors import BadInput
-from sightline.infra.web.bodies import Finite, Id, In, of_record
+from sightline.infra.web.bodies import Finite, Id, In, Out, of_record
 from sightline.infra.web.named import UploadId
 from sightline.linescan.parts import Entry, Rig
 from sightline.linescan.rig import lane_named, require_rig, rig_from
@@ -18,7 +19,13 @@ from sightline.scans.records import ScanValues
 
 Lines = Annotated[Finite, Field(ge=-1e12, le=1e12, description="Line number, fractional.")]
 NotNegative = Annotated[Finite, Field(ge=0)]
+#: Far beyond any vehicle, in either unit.
+Positive = Annotated[Finite, Field(gt=0, le=1000)]
 Count = Annotated[int, Field(ge=0, le=2**53)]
+#: So that no line's time is beyond the calendar.
+Moment = Annotated[
+    AwareDatetime, Field(ge=datetime(1970, 1, 1, tzinfo=UTC), le=datetime(2200, 1, 1, tzinfo=UTC))
+]
 Share = Annotated[Finite, Field(ge=0, le=1)]
 Brightness = Annotated[Finite, Field(ge=0, le=255)]
 Columns = Annotated[list[Finite], Field(max_length=10_000)]
@@ -46,14 +53,17 @@ _DERIVED = ("cause", "placed_by", "run_id", "rig", "direction", "axles_by")
 _WHEELS = ("front_wheel_line", "rear_wheel_line", "wheelbase_m", "u_wheelbase_m")
 _MEASURED = {
     "*_line_?": Lines,
+    "u_speed_mps": Positive,
+    "u_length_m": Positive,
     "u_*": NotNegative,
-    "length_m": NotNegative,
+    "speed_mps": Positive,
+    "length_m": Positive,
     "correlation": Annotated[Finite, Field(ge=-1, le=1)],
     "axle_lines": Annotated[list[Lines], Field(max_length=100)],
     "lane": LaneName,
     "warnings": Annotated[list[Said], Field(max_length=100)],
     "code_version": Annotated[str, Field(max_length=60)],
-    **dict.fromkeys(("speed_mps", "acceleration_mps2", "fit_error_percent"), Finite),
+    **dict.fromkeys(("acceleration_mps2", "fit_error_percent"), Finite),
     **dict.fromkeys(("misalignment_px", "gain", "tyres_px"), Finite),
 }
 
@@ -77,7 +87,7 @@ class MeasuredIn(In):
             numbers != {is_ok}
             or is_ok != (reason is None)
             or ((told["budget"] or profile or told["correlation"] is not None) and not is_ok)
-            or (told["lane"] is None) != (told["lane_by"] is None)
+            or told["lane_by"] != (None if told["lane"] is None else "machine")
             or (told["lane"] is not None and lane_named(rig, told["lane"]) is None)
             or (profile and len({len(column) for column in profile.values()}) > 1)
         ):
@@ -86,7 +96,7 @@ class MeasuredIn(In):
 
 
 _HEALTH = {
-    "lines": Count,
+    "lines": Annotated[Count, Field(le=10**12)],
     "lost_lines": tuple[Count, Count],
     "light_dn": tuple[Brightness | None, Brightness | None],
     "saturated": tuple[Share, Share],
@@ -119,8 +129,14 @@ class NewSegment(OfStream):
     number: Count
     stream: Annotated[str, Field(min_length=1, max_length=40, description="The same of all its parts.")]
     source: Annotated[str, Field(max_length=4000)]
-    began_at: Annotated[AwareDatetime, Field(description="When line 0 was taken.")]
+    began_at: Annotated[Moment, Field(description="When line 0 was taken.")]
     others: Annotated[list[Id], Field(max_length=1000, description="Recordings of its other parts.")]
+
+
+class BegunSegment(Out):
+    """The number of its recording."""
+
+    id: int
 
 
 class SegmentGrows(OfStream):
@@ -138,3 +154,11 @@ class SegmentEnds(OfStream):
     told: Count
     first_upload: UploadId | None = None
     second_upload: UploadId | None = None
+
+    def uploads(self) -> tuple[int, int] | None:
+        """Raises BadInput for one without the other."""
+        if self.first_upload is None and self.second_upload is None:
+            return None
+        if self.first_upload is None or self.second_upload is None:
+            raise BadInput("scans-live-one-strip")
+        return self.first_upload, self.second_upload

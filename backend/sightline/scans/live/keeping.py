@@ -27,7 +27,8 @@ _SUFFIX = ".spool.tif"
 AGAIN_S = 1.0
 #: So long after the end of the stream strips wait for what is away; then for the next stream.
 PATIENCE_S = 120.0
-_AT_ONCE = 10
+#: Two of the longest profiles are no larger than a request may be.
+_AT_ONCE = 2
 _LATER = (Away, Busy, NoRoom, TooMany)
 _REFUSED = (NotAllowed, NotSignedIn)
 
@@ -151,7 +152,7 @@ class SurveyKeeper(Keeper):
         self._sink, self._say = sink, say
         self._recording: _Recording | None = None
         self._recording_of = dict[int, _Recording]()
-        self._troubled = self._refused = False
+        self._troubled = self._refused = self._left = False
         self._until: float | None = None
         self._one_at_a_time = Lock()
         self._storer, self._mover = ThreadPoolExecutor(1), ThreadPoolExecutor(1)
@@ -213,7 +214,7 @@ class SurveyKeeper(Keeper):
     def _try_end(self, recording: _Recording, paths: Sequence[Path], notes: list[Said]) -> bool:
         """Whether its end is stored, or there is nothing to store it in."""
         warned = False
-        while not self._refused:
+        while not (self._refused or self._left):
             try:
                 self._store(recording)
                 recording.note_number()
@@ -233,8 +234,12 @@ class SurveyKeeper(Keeper):
                     self._say_waiting(recording, error)
                 warned = True
                 if self._until is not None and time.monotonic() >= self._until:
+                    self._left = True
                     return False
                 time.sleep(AGAIN_S)
+            except SightlineError as error:
+                self._say_waiting(recording, error)
+                return False
         return False
 
     def _store_beside(self, recording: _Recording) -> None:

@@ -65,7 +65,8 @@ def add_to_recording(
     if not is_live(session, scan_id):
         raise Conflict("scans-not-live", name=get_scan(session, scan_id).name)
     stored = passings_stored(session, scan_id, [one.front_line_1 for one in vehicles])
-    new = [one for one in vehicles if (one.front_line_1, one.rear_line_1) not in stored]
+    by_lines = {(one.front_line_1, one.rear_line_1): one for one in vehicles}
+    new = [one for lines, one in by_lines.items() if lines not in stored]
     if new:
         made = create_scan_vehicles(session, scan_id, len(new), origin="found", actor=actor)
         append_scan_measurements(session, scan_id, list(zip(made, new, strict=True)), actor=actor)

@@ -4,16 +4,13 @@ from datetime import UTC
 from typing import Annotated
 
 from fastapi import APIRouter, Query
-from pydantic import AwareDatetime
 
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
-from sightline.scans.bodies import ScanBody
-from sightline.scans.live.bodies import NewSegment, SegmentEnds, SegmentGrows
+from sightline.scans.live.bodies import BegunSegment, Moment, NewSegment, SegmentEnds, SegmentGrows
 from sightline.scans.live.recording import add_to_recording, begin_recording, end_recording
 from sightline.scans.live.records import LiveHealth, LiveSegment, LiveStream, SegmentFacts
 from sightline.scans.live.service import live_streams
 from sightline.scans.live.store import is_live, live_segments
-from sightline.scans.presenters import scan_body
 from sightline.scans.service import uploaded_strips
 from sightline.scans.store import get_scan
 from sightline.scans.vehicles.motion import values_told
@@ -33,21 +30,21 @@ def list_live_segments(
     who: Operator,
     session: Reading,
     stream: Annotated[str, Query(max_length=40)],
-    began_at: AwareDatetime,
+    began_at: Moment,
 ) -> list[LiveSegment]:
     """The recordings of a part of a stream, newest first, deleted ones too; for who writes them."""
     return live_segments(session, survey_id, stream, began_at.astimezone(UTC))
 
 
 @router.post("/surveys/{survey_id}/live")
-def begin_segment(survey_id: PathId, body: NewSegment, who: Operator, session: Writing) -> ScanBody:
-    """The recording of a part of a stream, made unless it is there."""
+def begin_segment(survey_id: PathId, body: NewSegment, who: Operator, session: Writing) -> BegunSegment:
+    """The recording of a part of a stream, made unless it is there; also where a person deleted it."""
     segment = SegmentFacts(
         number=body.number, stream=body.stream, source=body.source, began_at=body.began_at.astimezone(UTC)
     )
     rig = body.stream_rig()
     scan_id = begin_recording(session, survey_id, segment, rig, body.others, actor=who.id)
-    return scan_body(get_scan(session, scan_id))
+    return BegunSegment(id=scan_id)
 
 
 @router.post("/scans/{scan_id}/live", status_code=204)
@@ -64,9 +61,8 @@ def end_segment(scan_id: PathId, body: SegmentEnds, who: Operator, session: Writ
     """The stream adds no more; its strips are read in the background. Nothing where it has ended before."""
     if not is_live(session, scan_id):
         return
-    strips = None
-    if body.first_upload is not None and body.second_upload is not None:
-        survey_id = get_scan(session, scan_id).survey_id
-        strips = uploaded_strips(session, survey_id, body.first_upload, body.second_upload)
+    strips, uploads = None, body.uploads()
+    if uploads is not None:
+        strips = uploaded_strips(session, get_scan(session, scan_id).survey_id, *uploads)
     rig = body.stream_rig()
     end_recording(session, scan_id, strips, rig, body.method, body.notes, body.told, actor=who.id)
