@@ -26,7 +26,7 @@ from tests.support.app import Client, error_of
 pytestmark = pytest.mark.dialect
 
 #: Numbers that name nothing of a survey: amounts and places, what a person saw (a version), and the rows of
-#: everybody (people, the catalogue) or of a list's page.
+#: everybody (people, the catalogue) or of a list's page; and of a stream, what its recording is not.
 NO_THING = {
     *("version", "other_version", "revision", "seen", "frame", "first_frame", "last_frame", "best_frame"),
     *(
@@ -54,6 +54,7 @@ NO_THING = {
         "operator",
     ),
     *("catalogue_id", "days", "minutes", "hour_from", "hour_to"),
+    *("lines", "number", "others", "told"),
 }
 
 

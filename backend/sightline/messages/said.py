@@ -136,8 +136,15 @@ class Said:
         answered = core_schema.plain_serializer_function_ser_schema(
             lambda one: one.body, return_schema=handler.generate_schema(SaidInWords)
         )
+        # values may be sentences themselves: a description that says so refers to itself, and has no end
+        given = core_schema.typed_dict_schema(
+            {
+                "code": core_schema.typed_dict_field(core_schema.str_schema()),
+                "values": core_schema.typed_dict_field(core_schema.dict_schema()),
+            }
+        )
         return core_schema.no_info_plain_validator_function(
-            taken, serialization=answered, json_schema_input_schema=handler.generate_schema(SaidDocument)
+            taken, serialization=answered, json_schema_input_schema=given
         )
 
 
