@@ -290,7 +290,7 @@ def _round_end_of(bands: Bands, at: NDArray[np.intp], middle: int, lines_per_m: 
     """The foremost line of a round end through the few bands `at` (n,) about the `middle` one, and its u."""
     uneven = bands.uneven[at]
     own = np.sqrt(bands.u[at] ** 2 + uneven**2 - (1 - ROUND_BUMPS**2) * bands.bumps**2)
-    line, u = _round_end(at - float(middle), bands.edges[at], own, USUAL_FALL_M * lines_per_m)
+    line, u = _round_end((at - middle).astype(float), bands.edges[at], own, USUAL_FALL_M * lines_per_m)
     grey = float(np.average(uneven, weights=1 / (bands.u[at] ** 2 + uneven**2)))
     return line, hypot(u, ROUND_GREY * grey)
 

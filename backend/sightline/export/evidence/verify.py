@@ -204,10 +204,10 @@ def _derived(page: ReadPage) -> Iterator[str]:
 def _is_alike(told: Document, found: Document) -> bool:
     """Whether another version told the same but for the last digits of its numbers."""
     return told.keys() == found.keys() and all(
-        isclose(told[name], one, rel_tol=_CLOSE)
-        if isinstance(one, float) and isinstance(told[name], float | int)
-        else told[name] == one
-        for name, one in found.items()
+        isclose(told[name], value, rel_tol=_CLOSE)
+        if isinstance(value, float) and isinstance(told[name], float | int)
+        else told[name] == value
+        for name, value in found.items()
     )
 
 
@@ -314,11 +314,9 @@ def _lines(motion: Document) -> list[str]:
     budget = [Entry(**one) for one in motion["budget"]]
     if motion["direction"] == "camera_2_first":
         baseline_m = -baseline_m
-    apart_m = {"front": gone(front_2) - baseline_m, "rear": gone(rear_2) - gone(rear_1) - baseline_m}
+    apart_m = ("front", gone(front_2) - baseline_m), ("rear", gone(rear_2) - gone(rear_1) - baseline_m)
     most = 2 * DISAGREE_OVER_U * (1 + _CLOSE)
-    return other + [
-        f"speed_mps ({end})" for end, by in apart_m.items() if abs(by) > most * u_end_of(budget, end)
-    ]
+    return other + [f"speed_mps ({end})" for end, by in apart_m if abs(by) > most * u_end_of(budget, end)]
 
 
 def _by_lines(document: Document) -> ExactMotion | None:

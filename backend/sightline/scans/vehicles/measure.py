@@ -54,7 +54,7 @@ def _u_ends(earlier: Motion | ScanValues) -> tuple[float, float]:
     both_m = motion.u_boundaries_m
     if motion.method == "paper" or not motion.budget:
         return both_m / sqrt(2), both_m / sqrt(2)
-    front_m, rear_m = (u_end_of(motion.budget, end) for end in ("front", "rear"))
+    front_m, rear_m = u_end_of(motion.budget, "front"), u_end_of(motion.budget, "rear")
     most_m = DISAGREE_OVER_U * both_m
     return both_m if front_m > most_m else front_m, both_m if rear_m > most_m else rear_m
 
