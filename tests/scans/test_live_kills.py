@@ -240,7 +240,8 @@ def pair() -> tuple[Pixels, Pixels]:
     ("case", "nth"),
     [
         (Case((500, 500), 0.5, 2.0), 13),
-        (Case((500, AT_ONCE), 0.5), 31),
+        # 40 is within the picture of a front that was not told yet
+        (Case((500, AT_ONCE), 0.5), 20),
         *(
             pytest.param(Case((before, after), lead_s, segment_s), 1, marks=pytest.mark.proof)
             for before, after in [(500, 500), (500, AT_ONCE), (170, 2500), (2500, 130)]
