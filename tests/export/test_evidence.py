@@ -5,6 +5,7 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from itertools import islice
+from math import hypot
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, cast
@@ -17,7 +18,9 @@ from sightline.enums import JsonObject
 from sightline.errors import Damaged
 from sightline.export.evidence import page, service, verify
 from sightline.export.evidence.decision import decision_of
+from sightline.export.evidence.document import derived_parts
 from sightline.export.evidence.pictures import StripPicture
+from sightline.export.evidence.translated import translations_of
 from sightline.export.evidence.verify import EvidenceCheck, verify_evidence
 from sightline.infra.audit.checkpoints import hand_on
 from sightline.infra.audit.hashing import canonical_json, chain_hash, content_hash
@@ -431,6 +434,40 @@ def test_words_of_another_version_are_no_fault_and_its_answer_is_held_to_the_num
     assert any("Another version worded" in one and words in one for one in found.notes)
     document["decision"]["limit" if "limit" in document["decision"] else "value"] = 1.0
     assert "decision: " in (checked(signed_again(file, document, key)).problem or "")
+
+
+@pytest.mark.parametrize("by_hand", [False, True])
+def test_a_budget_of_before_that_tells_both_ends_together_is_held_to_as_it_was(
+    viewer: Client, scan: dict[str, Any], services: Services, by_hand: bool
+) -> None:
+    """No such file could be read any more, those made since of such motions neither."""
+    document = document_of(file := made(viewer, vehicles(viewer, scan)[1]))
+    for part in ("measurement", "before"):
+        told = document[part]
+        front, rear = told["budget"][-2:]
+        both = {name: hypot(front[name], rear[name]) for name in front if name != "source"}
+        told["budget"][-2:] = [{"source": "boundaries", **both}]
+        told["u_boundaries_m"] = 0.0 if by_hand else told["u_boundaries_m"]
+        for event in document["audit"]["events"]:
+            if (event["entity"], event["entity_id"]) == ("scan_measurement", told["id"]):
+                after = {**json.loads(event["after"]), "budget": told["budget"]}
+                event["after"] = canonical_json({**after, "u_boundaries_m": told["u_boundaries_m"]})
+                event["hash"] = chain_hash(event)
+                document["audit"]["hash"] = (
+                    event["hash"]
+                    if event["number"] == document["audit"]["count"]
+                    else (document["audit"]["hash"])
+                )
+    document["gap"] = derived_parts(document)["gap"]
+    assert document["gap"]["u_time_gap_s"] > 0.3 * document_of(file)["gap"]["u_time_gap_s"]
+    document["said"] = translations_of(document)
+    document["program"], key = "0.0.9", signing_key(services.settings)
+    # its gap as it was computed then, to the last digit
+    document["gap"]["u_time_gap_s"] *= 1 + 1e-15
+    found = checked(signed_again(file, document, key))
+    assert found.ok, found.problems
+    document["gap"]["u_time_gap_s"] *= 0.999
+    assert "gap" in (checked(signed_again(file, document, key)).problem or "")
 
 
 STRANGE = (None, [], {}, "x", -1, 1e308, True, [None])

@@ -4,10 +4,11 @@ from dataclasses import dataclass, replace
 
 import pytest
 
+from sightline.enums import ScanMethod
 from sightline.errors import BadInput
 from sightline.linescan.equations import solve_crossings
 from sightline.linescan.finding import STOPPED
-from sightline.linescan.gaps import OTHER_RATE, OVERLAP, REAR_UNSEEN, Leaders, gaps
+from sightline.linescan.gaps import LEADER_STOPPED, OTHER_RATE, OVERLAP, REAR_UNSEEN, Leaders, gaps
 from sightline.linescan.parts import CUT, STOOD, Crossings, Entry, Motion, Rig
 from sightline.linescan.planner import line_rate_for, speed_error
 from sightline.linescan.traffic import headways_s
@@ -130,6 +131,50 @@ def test_the_line_rate_planner_gives_the_papers_own_figures() -> None:
 
 def motion(seen: Crossings, speed: float, acceleration: float, length: float) -> Motion:
     return Motion("direct", seen, "ok", None, speed, 0.01, acceleration, 0.1, length, 0.01, correlation=-0.9)
+
+
+@pytest.mark.parametrize(
+    ("method", "source", "found_m", "u_s"),
+    [
+        # an end at one camera has 1 / 1.58 of both cameras' variance of both ends
+        ("direct", "boundaries", 0.004, 0.004 * 1.58**-0.5 / 20.0),
+        # two lines' ends of a person's, of which the budget's metres hold one line
+        ("direct", "boundaries", 0.0, ((0.004**2 - (0.06 / RATE_HZ * 20.0) ** 2) / 1.58 / 400) ** 0.5),
+        ("paper", "front and rear", 0.0, 0.004 * 0.5**0.5 / 20.0),
+        # of no source that is known the whole
+        ("paper", "outline", 0.0, 0.004 / 20.0),
+    ],
+)
+def test_budgets_of_before_that_tell_both_ends_together_give_gaps_no_less(
+    method: ScanMethod, source: str, found_m: float, u_s: float
+) -> None:
+    """0, or what lies between two lines, was told of every vehicle of an earlier version."""
+    ahead = crossings(20.0, 0.0, 4.2)
+    behind = crossings(20.0, 0.0, 4.2, start=ahead.rear_line_1 + 6000)
+    pair = [
+        replace(
+            motion(seen, 20.0, 0.0, 4.2),
+            method=method,
+            budget=(Entry(source, 0.0, 0.0, 0.004),),
+            u_boundaries_m=found_m,
+        )
+        for seen in (ahead, behind)
+    ]
+    gap = gaps([(one.crossings, one) for one in pair], Rig(BASELINE_M, RATE_HZ))[1]
+    lines_s = 0.0 if found_m else 0.06 / RATE_HZ
+    assert gap.u_time_gap_s == pytest.approx((2 * (u_s**2 + lines_s**2)) ** 0.5, rel=1e-9)
+
+
+def test_who_stands_or_goes_back_as_it_leaves_has_left_no_distance() -> None:
+    """Which a person or another program may have stored: nothing breaks."""
+    ahead, behind = crossings(20.0, 0.0, 4.2), crossings(20.0, 0.0, 4.2, start=9000.0)
+    standing = motion(ahead, 0.0, 0.0, 4.2), motion(behind, 0.0, 0.0, 4.2)
+    going = motion(behind, 20.0, 0.0, 4.2)
+    for leader, follower in ((standing[0], going), (motion(ahead, -1.0, 0.0, 4.2), going), standing):
+        gap = gaps([(ahead, leader), (behind, follower)], Rig(BASELINE_M, RATE_HZ))[1]
+        assert gap.reason == LEADER_STOPPED and gap.u_distance_gap_m is None
+    gap = gaps([(ahead, motion(ahead, 20.0, 0.0, 4.2)), (behind, standing[1])], Rig(BASELINE_M, RATE_HZ))[1]
+    assert gap.distance_gap_m is not None and gap.u_time_gap_s is None
 
 
 def test_gaps_carry_the_leader_on_by_its_own_motion() -> None:

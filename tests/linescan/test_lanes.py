@@ -1,6 +1,6 @@
 """Two lanes of one rig: each vehicle measured with its own lane's distance, gaps within a lane."""
 
-from dataclasses import replace
+from dataclasses import asdict, replace
 from functools import lru_cache
 
 import numpy as np
@@ -12,7 +12,7 @@ from sightline.linescan.lanes import NO_LANE_THIS_WAY, lane_of
 from sightline.linescan.methods import MEASURE
 from sightline.linescan.parts import Lane, Motion, Passage, Rig
 from sightline.linescan.passing import measure_passages
-from sightline.linescan.rig import at_lane, baseline_of, require_rig
+from sightline.linescan.rig import at_lane, baseline_of, require_rig, sound_rig_from
 from sightline.linescan.traffic import headways_s
 from tests.linescan.scenes import SITE, at, cars, found
 from tests.simulation.scan_strips import strips
@@ -133,6 +133,16 @@ def test_lanes_of_a_direction_that_is_not_theirs() -> None:
     other = replace(WAYS, lanes=WAYS.lanes[1:])
     told = lane_of(passages[0], other)
     assert told.lane is None and told.why == NO_LANE_THIS_WAY
+
+
+def test_a_rig_between_lanes_far_apart_is_one_that_may_be_read() -> None:
+    """Packages told it of vehicles of unknown lane, and were refused as damaged."""
+    told = Rig(0.5, 5000.0, 0.0005, lanes=(Lane("near", 10.0, 100.0), Lane("far", 1000.0)))
+    between = replace(at_lane(told, None), lanes=())
+    assert between.u_distance_m > 300 and sound_rig_from(asdict(between)) == between
+    assert sound_rig_from(asdict(replace(between, u_distance_m=310.0))) is None
+    with pytest.raises(BadInput, match="uncertainty of the distance"):
+        require_rig(between)
 
 
 def test_at_lane_covers_what_is_not_known() -> None:

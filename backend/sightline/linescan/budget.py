@@ -1,5 +1,6 @@
 """The uncertainty of a measured motion, source by source: baseline, clock, misalignment, fit, front, rear."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from math import hypot, sqrt
 
@@ -17,6 +18,8 @@ U_EDGE_M = 0.0006
 # and how many times its u half of that is, for their errors correlate by SAME_END
 DISAGREE = 3.0
 DISAGREE_OVER_U = DISAGREE * sqrt((1 - SAME_END) / (1 + SAME_END))
+# entries of earlier versions' budgets, of either method, that hold front and rear together
+_BOTH_ENDS = "boundaries", "front and rear"
 
 
 @dataclass(frozen=True)
@@ -75,7 +78,8 @@ def budget_of(
     apart = gone(f2) - course.baseline_m, gone(r2) - gone(r1) - course.baseline_m
     u_line = U_LINE_LINES * v / rig.line_rate_hz
     u_front, u_rear = (_u_end(*one, u_line) for one in zip(apart, passage.u_ends_m, strict=True))
-    at_front = u_at_one_camera(u_front, 0.0 if passage.u_ends_m[0] else u_line)
+    between = 0.0 if passage.u_ends_m[0] else u_line
+    at_front = hypot(u_at_one_camera(u_front, between), between)
     gradient = np.array([by_speed, by_acceleration])
 
     def entry(source: str, spread: Floats) -> Entry:
@@ -143,7 +147,16 @@ def _u_end(apart_m: float, u_found_m: float, u_line_m: float) -> float:
 
 
 def u_at_one_camera(u_mean_m: float, u_line_m: float) -> float:
-    """Of an end at one camera, metres, of which the mean of both is known to `u_mean_m`, and in which
-    `u_line_m` lies between two lines, which either camera does for itself.
+    """Of an end at one camera, metres, of which the mean of both is known to `u_mean_m`, without the
+    `u_line_m` that lie between two lines, which either camera does for itself.
     """
-    return hypot(sqrt(max(u_mean_m**2 - u_line_m**2 / 2, 0.0) * 2 / (1 + SAME_END)), u_line_m)
+    return sqrt(max(u_mean_m**2 - u_line_m**2 / 2, 0.0) * 2 / (1 + SAME_END))
+
+
+def u_end_of(budget: Iterable[Entry], end: str) -> float:
+    """What the front or the rear (`end`) brings to the length's u, metres. Earlier versions told both in one
+    entry, of which either has half the variance; of a budget without any, an end has all that there is.
+    """
+    of_length = {one.source: one.u_length_m for one in budget}
+    both = next((of_length[one] / sqrt(2) for one in _BOTH_ENDS if one in of_length), None)
+    return of_length.get(end, hypot(*of_length.values()) if both is None else both)

@@ -17,7 +17,7 @@ from math import hypot
 
 from sightline.enums import ScanDirection
 from sightline.linescan.boundaries import U_LINE_LINES
-from sightline.linescan.budget import u_at_one_camera
+from sightline.linescan.budget import u_at_one_camera, u_end_of
 from sightline.linescan.parts import Crossings, Gap, Motion, Rig, front_seen, rear_seen
 from sightline.linescan.rig import u_travelled_m
 from sightline.linescan.traffic import Stream
@@ -29,6 +29,7 @@ BEFORE_UNKNOWN = Said("scan-gap-before-unknown")
 OVERLAP = Said("scan-gap-overlap")
 REAR_UNSEEN = Said("scan-gap-rear-unseen")
 OTHER_RATE = Said("scan-gap-other-rate")
+LEADER_STOPPED = Said("scan-gap-leader-stopped")
 
 
 #: A vehicle with the rig that it was measured with.
@@ -131,17 +132,19 @@ def _gap(before: Measured, this: Measured) -> Gap:
         return replace(known, reason=Said("scan-gap-leader-unmeasured"))
     passing_s = (ahead.rear_line_1 - ahead.front_line_1) / rate
     leaving_mps = leader.speed_mps + leader.acceleration_mps2 * passing_s
+    if leaving_mps <= 0:
+        return replace(known, reason=LEADER_STOPPED)
     u_rear_s = _u_crossing_s("rear", leader, leaving_mps, rate)
     paper_m = u_time_s = None
     u_front_s = 0.0
-    if follower.speed_mps is not None:
+    if follower.speed_mps:
         paper_m = time_s * (leader.speed_mps + follower.speed_mps) / 2
         u_front_s = _u_crossing_s("front", follower, follower.speed_mps, rate)
         u_time_s = hypot(u_rear_s, u_front_s, time_s * rig.u_line_rate_ratio)
     known = replace(known, u_time_gap_s=u_time_s)
     now_mps = leaving_mps + leader.acceleration_mps2 * time_s
     if now_mps <= 0:
-        return replace(known, paper_distance_gap_m=paper_m, reason=Said("scan-gap-leader-stopped"))
+        return replace(known, paper_distance_gap_m=paper_m, reason=LEADER_STOPPED)
     distance_m = (leaving_mps + now_mps) / 2 * time_s
     u_motion_m = u_travelled_m(leader, passing_s, since_front_s, rig.u_line_rate_ratio)
     u_m = hypot(u_motion_m, now_mps * u_rear_s, now_mps * u_front_s)
@@ -150,11 +153,11 @@ def _gap(before: Measured, this: Measured) -> Gap:
 
 def _u_crossing_s(end: str, motion: Motion, speed_mps: float, line_rate_hz: float) -> float:
     """Of the moment at which one `end` of a vehicle crosses camera 1: it is known to so many metres at any
-    speed, as the length's budget says; one that a person placed, to no less than lines are.
+    speed, as the length's budget says; one that a person placed besides to what lies between two lines.
     """
     lines = 0.0 if motion.u_boundaries_m else U_LINE_LINES
-    end_m = next((one.u_length_m for one in motion.budget if one.source == end), 0.0)
+    end_m = u_end_of(motion.budget, end)
     # the paper's length is camera 1's alone, the other the mean of both cameras'
     if motion.method == "direct":
         end_m = u_at_one_camera(end_m, lines * (motion.speed_mps or 0.0) / line_rate_hz)
-    return max(end_m / speed_mps, lines / line_rate_hz)
+    return hypot(end_m / speed_mps, lines / line_rate_hz)

@@ -77,16 +77,18 @@ LIMITS: Mapping[str, Limits] = {
 }
 
 
-def require_rig(rig: Rig, named: Mapping[str, str] | None = None) -> None:
+def require_rig(
+    rig: Rig, named: Mapping[str, str] | None = None, *, most_u_distance_m: float = U_DISTANCE_M.most
+) -> None:
     """Raise BadInput for the first value that no rig has, for a divergence without its distance, and for
     planes that cross before the vehicles or lie too near to each other there; `named`: what values are
     called instead.
     """
+    own = {"u_baseline_m": rig.baseline_m, "u_distance_m": most_u_distance_m}
     for name, limits in LIMITS.items():
         value = getattr(rig, name)
         if value is not None:
-            most = rig.baseline_m if name == "u_baseline_m" else limits.most
-            replace(limits, most=most).require(value, (named or {}).get(name))
+            replace(limits, most=own.get(name, limits.most)).require(value, (named or {}).get(name))
     _require_lanes(rig.lanes)
     if (rig.divergence_rad or rig.u_divergence_rad) and rig.distance_m is None and not rig.lanes:
         raise BadInput("linescan-divergence-without-distance")
@@ -119,10 +121,12 @@ def _lane_from(document: Mapping[str, Any]) -> Lane:
 
 
 def sound_rig_from(document: Mapping[str, Any]) -> Rig | None:
-    """The rig of a document that people may have changed by hand; None where no rig is as it says."""
+    """The rig of a document that people may have changed by hand; None where no rig is as it says. It may be
+    that of a vehicle whose lane is not known (`at_lane`).
+    """
     try:
         rig = rig_from(document)
-        require_rig(rig)
+        require_rig(rig, most_u_distance_m=hypot(DISTANCE_M.most / sqrt(12), U_DISTANCE_M.most))
     except (ArithmeticError, AttributeError, TypeError, ValueError, BadInput):
         return None
     return rig

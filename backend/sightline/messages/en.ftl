@@ -657,6 +657,9 @@ budget-of-misalignment = Misalignment of the cameras
 budget-of-fit = Fit
 budget-of-front = Front
 budget-of-rear = Rear
+# of earlier versions, both together
+budget-of-boundaries = Boundaries
+budget-of-front-and-rear = Front and rear
 budget-of-regression = Regression
 budget-of-following = Tracking
 budget-of-frame-times = Frame times

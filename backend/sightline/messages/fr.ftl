@@ -655,6 +655,9 @@ budget-of-misalignment = Désalignement des caméras
 budget-of-fit = Ajustement
 budget-of-front = Avant
 budget-of-rear = Arrière
+# of earlier versions, both together
+budget-of-boundaries = Bornes
+budget-of-front-and-rear = Avant et arrière
 budget-of-regression = Régression
 budget-of-following = Suivi
 budget-of-frame-times = Instants des images

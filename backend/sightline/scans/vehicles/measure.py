@@ -1,9 +1,10 @@
 """Measuring a scanned vehicle: its pictures from the stored strips, its motion by either method."""
 
 from dataclasses import replace
-from math import hypot
+from math import sqrt
 
 from sightline.enums import ScanMethod
+from sightline.linescan.budget import DISAGREE_OVER_U, u_end_of
 from sightline.linescan.by_hand import passage_at
 from sightline.linescan.methods import MEASURE
 from sightline.linescan.parts import Crossings, Motion, Passage, Rig, rear_seen
@@ -46,12 +47,16 @@ def measured_at(
 
 
 def _u_ends(earlier: Motion | ScanValues) -> tuple[float, float]:
-    """The doubt about found boundaries, m, by front and rear as the budget had them; half each without."""
+    """The doubt about found boundaries, m, of front and rear: as the budget had it, but no more than both had
+    where the cameras disagreed about that end; half each where a budget does not tell.
+    """
     motion = earlier if isinstance(earlier, Motion) else motion_of(earlier)
-    of_length = {one.source: one.u_length_m for one in motion.budget}
-    front, rear = of_length.get("front", 1.0), of_length.get("rear", 1.0)
-    share = motion.u_boundaries_m / hypot(front, rear)
-    return share * front, share * rear
+    both_m = motion.u_boundaries_m
+    if motion.method == "paper" or not motion.budget:
+        return both_m / sqrt(2), both_m / sqrt(2)
+    front_m, rear_m = u_end_of(motion.budget, "front"), u_end_of(motion.budget, "rear")
+    most_m = DISAGREE_OVER_U * both_m
+    return both_m if front_m > most_m else front_m, both_m if rear_m > most_m else rear_m
 
 
 def measured_again(before: ScanMeasurement, rig: Rig, method: ScanMethod, readers: Readers) -> Motion:
