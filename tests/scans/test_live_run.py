@@ -518,7 +518,7 @@ def test_a_killed_segment_whose_file_was_cut_or_replaced_is_handed_on_whole_once
         assert told[0].vehicle.motion.crossings.front_line_1 == pytest.approx(third, abs=1)
         assert ended == ["0001-camera-1.tif"]
         # answered for: the next run takes up nothing
-        assert interrupted_segment(folder) is None and unmoved_segments(folder) == []
+        assert interrupted_segment(folder) is None and unmoved_segments(folder, None) == []
     else:
         assert ended == []
     ending.close()

@@ -104,11 +104,10 @@ def _import(remote: Remote, survey_id: int, video: Path, settle_s: float, tell: 
     there = next((one for one in recordings if one["sha256"] == sha256), None)
     if there is None:
         size = video.stat().st_size
-        sent = remote.upload(
+        recording_id = remote.upload(
             survey_id, video, lambda sent: tell(0.5 * sent / size, f"{video.name}: uploading")
         )
-        assert sent is not None
-        recording_id = sent
+        assert recording_id is not None  # a video becomes a recording
         if remote.ask(f"/recordings/{recording_id}")["sha256"] != sha256:
             raise BadInput("import-changed-meanwhile", name=video.name)
     else:

@@ -150,6 +150,13 @@ class Finder:
         open_since = [watcher.busy_since for watcher in self.watchers]
         return max(0, int(min([*fronts, *open_since])))
 
+    @property
+    def returned_line(self) -> int:
+        """No front of a vehicle that is yet to be returned lies before it: that is looked for in its picture,
+        which begins a margin before the first line that shows it.
+        """
+        return self.settled_line - self.margin
+
     def give_up(self) -> list[Passage]:
         """What was given up and still stands, where the lines go on in another finder."""
         pairs, alone = self._pairs_given_up()

@@ -267,12 +267,12 @@ def _upright_line(bands: Bands, at: NDArray[np.intp]) -> tuple[float, float] | N
     """The foremost line of an upright end through the bands `at` (n,), and its u; None where a parabola
     through them gains what its two more coefficients cost (Schwarz 1978).
     """
-    place, y, uneven = at.astype(float), bands.edges[at], bands.uneven[at]
+    place, y, uneven = at - at.mean(), bands.edges[at], bands.uneven[at]
     # a band whose grey changes says less
     s = np.hypot(bands.u[at], uneven)
-    round_c, _, _ = _weighted_fit(place - place.mean(), y, s, 2)
+    round_c, _, _ = _weighted_fit(place, y, s, 2)
     (line,), normal, strays = _weighted_fit(place, y, s, 0)
-    off = _misses(place - place.mean(), y, s, round_c)
+    off = (y - np.vander(place, 3, increasing=True) @ round_c) / s
     spread = max(1.0, robust_scale(off) * sqrt(len(y) / (len(y) - 3)))
     costs = [
         CAUCHY**2 * float(np.log1p((one / (CAUCHY * spread)) ** 2).sum()) for one in ((y - line) / s, off)
@@ -361,11 +361,6 @@ def _round_end(x: Floats, y: Floats, s: Floats, usual_fall: float) -> tuple[floa
     mean = float(chance @ foremost)
     by_bands = (least * np.linalg.solve(power, least[..., None])[..., 0]).sum(axis=1)
     return mean, sqrt(float(chance @ (left / freedom * by_bands + (foremost - mean) ** 2)))
-
-
-def _misses(x: Floats, y: Floats, s: Floats, c: Floats) -> Floats:
-    """(n,) by how many of its standard deviations each edge lies off the polynomial `c`, from x^0 up."""
-    return np.asarray((y - np.vander(x, len(c), increasing=True) @ c) / s)
 
 
 def _weighted_fit(x: Floats, y: Floats, s: Floats, degree: int) -> tuple[Floats, Floats, float]:

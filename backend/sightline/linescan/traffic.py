@@ -91,6 +91,8 @@ class Came(Protocol):
 V = TypeVar("V", bound=Came)
 #: A direction and a lane, None where it is not known or there are none.
 Stream = tuple[ScanDirection, str | None]
+#: Which camera those are taken to reach first of whom it is not known.
+USUAL_DIRECTION: ScanDirection = "camera_1_first"
 
 
 def streams_of(vehicles: Sequence[V]) -> dict[Stream, list[V]]:
@@ -103,7 +105,7 @@ def streams_of(vehicles: Sequence[V]) -> dict[Stream, list[V]]:
         if one.direction is not None:
             by_stream.setdefault((one.direction, one.lane), []).append(one)
     in_order = sorted(by_stream, key=lambda key: (key[0], key[1] is None, key[1] or ""))
-    streams = {key: by_stream[key] for key in in_order} or {("camera_1_first", None): []}
+    streams = {key: by_stream[key] for key in in_order} or {(USUAL_DIRECTION, None): []}
     next(iter(streams.values())).extend(one for one in vehicles if one.direction is None)
     for stream in streams.values():
         stream.sort(key=lambda one: (one.since_s is None, one.since_s or 0.0))

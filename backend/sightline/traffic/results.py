@@ -22,7 +22,7 @@ from sightline.infra.local_time import to_millisecond
 from sightline.linescan.clock import u_passing_s
 from sightline.linescan.parts import Rig, front_seen
 from sightline.linescan.rig import at_lane, sound_rig_from, speed_ratio_of
-from sightline.linescan.traffic import Stream
+from sightline.linescan.traffic import USUAL_DIRECTION, Stream
 from sightline.messages.said import Said
 from sightline.recordings.filming import Filming
 from sightline.scans.statistics.service import VehicleMotion
@@ -150,7 +150,7 @@ def _in_folder(place: Path) -> tuple[list[Results], list[str]]:
 
 
 def _bytes_of_ours(path: Path) -> bytes:
-    """None where the file speaks of no scanned vehicles, nor says that nobody passed."""
+    """Nothing of a file that speaks of no scanned vehicles, nor says that nobody passed."""
     data = bytes_of(path, _OF_VEHICLES)
     if data or path.suffix.lower() != ".json":
         return data
@@ -336,4 +336,4 @@ def _motions(
 
 def _stream_of(one: Passing) -> Stream:
     """A vehicle's direction and lane."""
-    return one.direction or "camera_1_first", one.lane
+    return one.direction or USUAL_DIRECTION, one.lane

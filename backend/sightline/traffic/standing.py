@@ -3,17 +3,14 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sightline.enums import ScanDirection
 from sightline.linescan.parts import front_seen
-from sightline.linescan.traffic import Stream
+from sightline.linescan.traffic import USUAL_DIRECTION, Stream
 from sightline.messages.said import Said
 from sightline.recordings.filming import Filming
 from sightline.scans.statistics.service import VehicleMotion
 from sightline.scans.statistics.traffic import Watched, seen_in_each
 
 Row = Mapping[str, Any]
-#: Which camera those are taken to reach first of whom it is not known.
-_USUAL: ScanDirection = "camera_1_first"
 
 
 def watched_of(row: Row, site: str = "", number: int = 0) -> Watched:
@@ -52,7 +49,7 @@ def find_marks(
         stood += [
             (key, lane)
             for lane in (row["lanes"] if each.stood else ())
-            for of_lane in [streams.get(lane or None, {(_USUAL, lane or None)})]
+            for of_lane in [streams.get(lane or None, {(USUAL_DIRECTION, lane or None)})]
             if any(one.may_stand_in(stream) for one in each.stood for stream in of_lane)
         ]
     return stood, told
@@ -70,6 +67,6 @@ def _motion_of(row: Row, scan_id: int) -> VehicleMotion:
         since_s=row["rear_s"],
         occupied_s=0.0,
         front_seen=front_seen(row["reason"], row["front_line_1"]),
-        direction=row["direction"] or _USUAL,
+        direction=row["direction"] or USUAL_DIRECTION,
         lane=row["lane"] or None,
     )

@@ -140,11 +140,10 @@ def interrupted_segment(folder: Path) -> Told | None:
     return None
 
 
-def unmoved_segments(folder: Path) -> list[Told]:
-    """Segments before the interrupted one that were not ended: the program was killed before their strips
-    were moved, or before it had closed them, another having been begun.
+def unmoved_segments(folder: Path, left: Told | None) -> list[Told]:
+    """Segments before the interrupted one (`left`) that were not ended: the program was killed before their
+    strips were moved, or before it had closed them, another having been begun.
     """
-    left = interrupted_segment(folder)
     found = [_unended(folder, number) for number in _numbers(folder)]
     return [told for told in found if told is not None and (left is None or told.number < left.number)]
 

@@ -100,7 +100,7 @@ class LiveRun:
     def vehicles(self) -> Iterator[LiveVehicle]:
         """Every vehicle as soon as it is measured; first those that a killed run had not told."""
         left = interrupted_segment(self.folder) if self.folder else None
-        for before in unmoved_segments(self.folder) if self.folder else ():
+        for before in unmoved_segments(self.folder, left) if self.folder else ():
             if not before.closed:
                 self._close_left(before, before.stop)
             self._hand_on(replace(before, closed=True))

@@ -141,12 +141,12 @@ class Segment:
 
     def note(self, at: datetime) -> None:
         """Say in the journal how far everything is told."""
-        settled, stand = self._settled_before, self._stand()
+        settled, stand = self._returned_line, self._stand()
         self._write({"settled": settled, "stand": stand, "lines": self.lines, "at": at.isoformat()})
 
     def told(self, live_vehicle: LiveVehicle) -> None:
         """Say in the journal that a vehicle has been told."""
-        settled = {} if self._more else {"settled": self._settled_before}
+        settled = {} if self._more else {"settled": self._returned_line}
         self._write({**told_line(live_vehicle), **settled, "stand": self._stand()})
 
     def stop_at(self, line: int) -> None:
@@ -212,11 +212,9 @@ class Segment:
                 yield LiveVehicle(self.facts.number, self.begin, vehicle, at)
 
     @property
-    def _settled_before(self) -> int:
-        """For the journal: a front is looked for in its picture, which begins a margin before the line that
-        shows it.
-        """
-        return max(0, self.settled_line - self.finder.margin)
+    def _returned_line(self) -> int:
+        """For the journal."""
+        return max(0, self.finder.returned_line - self._lead)
 
     @property
     def ahead(self) -> Ahead:
@@ -302,9 +300,7 @@ class Remainder:
     @property
     def before(self) -> Before:
         """Who is told by now."""
-        settled = max(
-            self._before.settled, self._start + float(self.finder.settled_line - self.finder.margin)
-        )
+        settled = max(self._before.settled, self._start + float(self.finder.returned_line))
         passed = [(at.front_line_1, at.rear_line_1) for at in self._told]
         left = max([self._before.left, *map(left_by, self._told)])
         return Before.of(settled, [*self._before.passed, *passed], left)
